@@ -1,0 +1,83 @@
+#include "ale/box_boundary.h"
+
+#include <map>
+
+namespace plash {
+
+OutsideWork apply_outside(BoxFields& fields, std::span<const NodeForceFromOutside> forces,
+                          std::span<const HeldNode> held, double step, double impulse_step,
+                          const std::array<double, 3>& gravity)
+{
+    OutsideWork work;
+    for (const NodeForceFromOutside& outside : forces) {
+        const std::ptrdiff_t node = outside.place;
+        if (!(fields.node_mass[node] > 0)) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double gain = outside.force[axis] * impulse_step / fields.node_mass[node];
+            fields.velocity[axis][node] += gain;
+            fields.mean_velocity[axis][node] += 0.5 * gain;
+        }
+    }
+    for (const HeldNode& node : held) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(node.axes & (1u << axis))) continue;
+            double& velocity = fields.velocity[axis][node.place];
+            double& mean = fields.mean_velocity[axis][node.place];
+            const double mass = fields.node_mass[node.place];
+            const double held_mean = 0.5 * (node.before[axis] + node.after[axis]);
+            const double impulse = mass * (node.after[axis] - velocity);
+            work.driving += impulse * held_mean;
+            work.gravity += mass * gravity[axis] * step * (held_mean - mean);
+            velocity = mass > 0 ? node.after[axis] : 0;
+            mean = mass > 0 ? held_mean : 0;
+        }
+    }
+    // Forces work on what the node has in the end become.
+    for (const NodeForceFromOutside& outside : forces) {
+        for (int axis = 0; axis < 3; ++axis) {
+            work.forces += outside.force[axis] * impulse_step * fields.mean_velocity[axis][outside.place];
+        }
+    }
+    return work;
+}
+
+void hold_nodes(BoxFields& fields, std::span<const HeldNode> held)
+{
+    for (const HeldNode& node : held) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(node.axes & (1u << axis))) continue;
+            double& velocity = fields.velocity[axis][node.place];
+            const double after = node.after[axis];
+            if (!fields.lost_motion.empty()) {
+                fields.lost_motion[node.place] +=
+                    0.5 * fields.node_mass[node.place] * (velocity * velocity - after * after);
+            }
+            velocity = after;
+        }
+    }
+}
+
+std::vector<HeldNode> walls_of_box(const BoxGrid& grid, unsigned sides)
+{
+    std::map<std::ptrdiff_t, unsigned> axes;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+        for (int side = 0; side < 2; ++side) {
+            if (!(sides & (1u << (2 * axis + side)))) continue;
+            for (int ib = 0; ib <= grid.cells(b); ++ib) {
+                for (int ia = 0; ia <= grid.cells(a); ++ia) {
+                    int index[3];
+                    index[axis] = side * grid.cells(axis);
+                    index[a] = ia;
+                    index[b] = ib;
+                    axes[grid.at(index[0], index[1], index[2])] |= 1u << axis;
+                }
+            }
+        }
+    }
+    std::vector<HeldNode> held;
+    for (const auto& [place, mask] : axes) held.push_back({place, mask, {}, {}});
+    return held;
+}
+
+} // namespace plash

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ale/box_fields.h"
+
+#include <span>
+
+namespace plash {
+
+/// A node whose velocity is given along some axes of the box: fixed, on a wall, or driven.
+struct HeldNode {
+    std::ptrdiff_t place = 0;
+    unsigned axes = 0;              ///< bits 1, 2, 4
+    std::array<double, 3> before{}; ///< velocities along these axes at t_n [velocity]
+    std::array<double, 3> after{};  ///< and at the end of the step [velocity]
+};
+
+/// An outside force on a node.
+struct NodeForceFromOutside {
+    std::ptrdiff_t place = 0;
+    std::array<double, 3> force{}; ///< [force]
+};
+
+/// Work done on the fluid in a step, for the energy balance [energy].
+struct OutsideWork {
+    double forces = 0;  ///< by outside forces
+    double driving = 0; ///< by driven nodes
+    double gravity = 0; ///< correction where held nodes do not follow gravity
+};
+
+/// Adds outside forces to the velocities that accelerate() has found, then gives held nodes theirs. Impulses
+/// are force times `impulse_step`, the span over which the structures' side of the same force acts.
+OutsideWork apply_outside(BoxFields&, std::span<const NodeForceFromOutside>, std::span<const HeldNode>,
+                          double step, double impulse_step, const std::array<double, 3>& gravity);
+
+/// Velocities of held nodes after the remap; the kinetic energy that this takes counts as lost in the remap.
+void hold_nodes(BoxFields&, std::span<const HeldNode>);
+
+/// Nodes of the box's sides, held against flow through them (slip walls); bit 2 axis + side of `sides` names
+/// a side.
+std::vector<HeldNode> walls_of_box(const BoxGrid&, unsigned sides = 0x3f);
+
+} // namespace plash

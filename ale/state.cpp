@@ -1,0 +1,266 @@
+#include "ale/cell_motion.h"
+#include "ale/lagrange.h"
+#include "ale/mixture.h"
+#include "ale/sheets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plash {
+
+namespace {
+
+/// One row of cells and what the loop over its batches needs.
+struct Row {
+    const BoxGrid& grid;
+    BoxFields& fields;
+    std::span<const FluidGroup> groups;
+    const LagrangeSettings& settings;
+    int j, k;
+
+    double width_y() const { return grid.width(1, j); }
+    double width_z() const { return grid.width(2, k); }
+};
+
+/// Largest rate so far, and where, lane by lane.
+struct LaneRates {
+    Lanes rate{}, place{};
+
+    void take(Lanes candidate, Lanes where)
+    {
+        const auto larger = candidate > rate;
+        rate = larger ? candidate : rate;
+        place = larger ? where : place;
+    }
+};
+
+/// Pressure and stiffness of the cell as a whole.
+struct CellState {
+    Lanes pressure, stiffness, signal_square, density;
+};
+
+CellState pure_state(const Row& row, std::ptrdiff_t place, int group, Lanes volume)
+{
+    const GroupFields& own = row.fields.groups[group];
+    const Lanes mass = load<Lanes>(&own.mass[place]);
+    const auto has = mass > 0.0;
+    const Lanes inverse = 1.0 / (has ? mass : broadcast<Lanes>(1));
+    const FluidGroup& fluid = row.groups[group];
+    const Lanes density = has ? mass / volume : broadcast<Lanes>(fluid.reference_density);
+    const Lanes energy = load<Lanes>(&own.energy[place]) * inverse;
+    const auto state = fluid_state(fluid, density, energy);
+    return {has ? state.pressure : Lanes{}, has ? state.stiffness : Lanes{}, state.stiffness / density,
+            has ? density : Lanes{}};
+}
+
+/// Sum of the fractions of all groups at a storage place.
+Lanes filled_at(const BoxFields& fields, std::ptrdiff_t place)
+{
+    Lanes sum{};
+    for (const GroupFields& group : fields.groups) sum += load<Lanes>(&group.fraction[place]);
+    return sum;
+}
+
+Lanes openness_at(const Row& row, std::ptrdiff_t place)
+{
+    Lanes below[3], above[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        below[axis] = filled_at(row.fields, place - row.grid.stride(axis));
+        above[axis] = filled_at(row.fields, place + row.grid.stride(axis));
+    }
+    return openness(filled_at(row.fields, place), below, above);
+}
+
+/// Leaves openness in the place of group 0's share for evaluate_row, which changes fractions.
+void find_openness(const Row& row, const BoxContents& contents)
+{
+    for (int batch = 0; batch < row.grid.cell_batches(); ++batch) {
+        const std::ptrdiff_t place = row.grid.at(batch * lane_count, row.j, row.k);
+        const BoxContents::Mask mask = contents.of_cells(place);
+        if (BoxContents::nothing(mask) || BoxContents::pure(mask)) continue;
+        store(&row.fields.groups[0].share[place], openness_at(row, place));
+    }
+}
+
+CellState mixed_state(const Row& row, std::ptrdiff_t place, Lanes volume, Lanes open, Lanes closing)
+{
+    BoxFields& fields = row.fields;
+    const std::size_t count = fields.groups.size();
+    Mixture<Lanes> mix;
+    Lanes mass{};
+    for (std::size_t g = 0; g < count; ++g) {
+        mix.fraction[g] = load<Lanes>(&fields.groups[g].fraction[place]);
+        mix.mass[g] = load<Lanes>(&fields.groups[g].mass[place]);
+        mix.energy[g] = load<Lanes>(&fields.groups[g].energy[place]);
+        mass += mix.mass[g];
+    }
+    close_mixture(mix, row.groups, volume, row.settings.void_allowed, open, closing);
+    for (std::size_t g = 0; g < count; ++g) {
+        store(&fields.groups[g].fraction[place], mix.fraction[g]);
+        store(&fields.groups[g].energy[place], mix.energy[g]);
+        store(&fields.groups[g].share[place], mix.share[g]);
+    }
+    return {mix.pressure, mix.stiffness, mix.signal_square, mass / volume};
+}
+
+/// Full cells whose pressure has fallen below what the liquid bears.
+bool any_torn(const Row& row, int group, const CellState& state)
+{
+    return row.settings.void_allowed &&
+           any((state.pressure < row.groups[group].tension_limit) & (state.density > 0.0));
+}
+
+/// Viscous stress 2 mu (rate of strain - a third of its trace) of a Newtonian fluid, from the velocity
+/// gradient in the middle of the cell.
+void store_viscous_stress(const Row& row, std::ptrdiff_t place, const Lanes (&gradient)[3][3])
+{
+    BoxFields& fields = row.fields;
+    Lanes viscosity{};
+    for (std::size_t g = 0; g < fields.groups.size(); ++g) {
+        const GroupFields& own = fields.groups[g];
+        const Lanes fraction = own.fraction.empty() ? broadcast<Lanes>(1) : load<Lanes>(&own.fraction[place]);
+        // Ghosts at the end of a row have no mass.
+        viscosity += load<Lanes>(&own.mass[place]) > 0.0 ? row.groups[g].viscosity * fraction : Lanes{};
+    }
+    const Lanes third = (gradient[0][0] + gradient[1][1] + gradient[2][2]) * (1.0 / 3);
+    for (int axis = 0; axis < 3; ++axis) {
+        const int next = (axis + 1) % 3;
+        store(&fields.viscous[axis][place], 2.0 * viscosity * (gradient[axis][axis] - third));
+        store(&fields.viscous[3 + axis][place], viscosity * (gradient[axis][next] + gradient[next][axis]));
+    }
+}
+
+double largest_kinematic_viscosity(std::span<const FluidGroup> groups)
+{
+    double largest = 0;
+    for (const FluidGroup& group : groups)
+        largest = std::max(largest, group.viscosity / group.reference_density);
+    return largest;
+}
+
+template <bool Viscous>
+LaneRates evaluate_row(const Row& row, const BoxContents& contents, double last_step, bool& torn)
+{
+    const BoxGrid& grid = row.grid;
+    BoxFields& fields = row.fields;
+    const LagrangeSettings& settings = row.settings;
+    const std::ptrdiff_t sy = grid.stride(1), sz = grid.stride(2);
+    const double width_yz = row.width_y() * row.width_z();
+    const double inverse_y = 0.25 / row.width_y(), inverse_z = 0.25 / row.width_z();
+    const double smallest_yz = std::min(row.width_y(), row.width_z());
+    const double viscosity = Viscous ? largest_kinematic_viscosity(row.groups) : 0;
+    LaneRates rates;
+    for (int batch = 0; batch < grid.cell_batches(); ++batch) {
+        const std::ptrdiff_t place = grid.at(batch * lane_count, row.j, row.k);
+        if (BoxContents::nothing(contents.near_cells(place))) continue;
+        const Lanes width = load<Lanes>(grid.widths(0) + batch * lane_count);
+        const Lanes volume = width * width_yz;
+        const double* v[3] = {&fields.velocity[0][place], &fields.velocity[1][place],
+                              &fields.velocity[2][place]};
+        const auto x = face_sums<Lanes>(v[0], 1, sy, sz);
+        const auto y = face_sums<Lanes>(v[1], sy, 1, sz);
+        const auto z = face_sums<Lanes>(v[2], sz, 1, sy);
+        const Lanes inverse_x = 0.25 / width;
+        const Lanes rate_x = (x.high - x.low) * inverse_x, rate_y = (y.high - y.low) * inverse_y,
+                    rate_z = (z.high - z.low) * inverse_z;
+        const Lanes divergence = rate_x + rate_y + rate_z;
+
+        const Lanes closing = max(-divergence, Lanes{}) * last_step;
+        const BoxContents::Mask mask = contents.of_cells(place);
+        CellState state;
+        if (BoxContents::pure(mask)) {
+            const int group = BoxContents::only_group(mask);
+            state = pure_state(row, place, group, volume);
+            if (any_torn(row, group, state)) {
+                state = mixed_state(row, place, volume, Lanes{}, closing); // void opens inside the liquid
+                torn = true;
+            }
+        } else {
+            state = mixed_state(row, place, volume, load<Lanes>(&fields.groups[0].share[place]), closing);
+        }
+
+        // Velocity jump across the cell in the direction in which it is compressed.
+        const Lanes zero{};
+        const Lanes squeeze_x = max(-rate_x, zero), squeeze_y = max(-rate_y, zero),
+                    squeeze_z = max(-rate_z, zero);
+        const Lanes squeeze = squeeze_x + squeeze_y + squeeze_z;
+        const Lanes length = (squeeze_x * width + squeeze_y * row.width_y() + squeeze_z * row.width_z()) /
+                             max(squeeze, broadcast<Lanes>(1e-300));
+        const Lanes jump = max(-divergence, zero) * length;
+        const Lanes sound = sqrt(state.signal_square);
+        const Lanes viscous_speed = settings.quadratic_viscosity * jump + settings.linear_viscosity * sound;
+        const auto resists = (state.stiffness > 0.0) & (jump > 0.0);
+        const Lanes bulk_viscosity = resists ? state.density * jump * viscous_speed : zero;
+        store(&fields.pressure[place], state.pressure + bulk_viscosity);
+        store(&fields.pressure_rate[place], -state.stiffness * divergence);
+
+        // LS-DYNA's step for solids (Hallquist 2006, section 'Time step calculations') and the flow itself.
+        const Lanes q = resists ? viscous_speed : zero;
+        const Lanes signal = q + sqrt(q * q + state.signal_square);
+        const Lanes shortest = min(width, broadcast<Lanes>(smallest_yz));
+        const Lanes crossing =
+            max(max(max(abs(x.low), abs(x.high)) * inverse_x, max(abs(y.low), abs(y.high)) * inverse_y),
+                max(abs(z.low), abs(z.high)) * inverse_z);
+        Lanes rate = signal / shortest + crossing;
+        if (Viscous) {
+            const Lanes diffusion =
+                16.0 * (inverse_x * inverse_x + inverse_y * inverse_y + inverse_z * inverse_z);
+            rate += 2.0 * viscosity * diffusion;
+            const auto xy = face_sums<Lanes>(v[0], sy, 1, sz), xz = face_sums<Lanes>(v[0], sz, 1, sy);
+            const auto yx = face_sums<Lanes>(v[1], 1, sy, sz), yz = face_sums<Lanes>(v[1], sz, 1, sy);
+            const auto zx = face_sums<Lanes>(v[2], 1, sy, sz), zy = face_sums<Lanes>(v[2], sy, 1, sz);
+            const Lanes gradient[3][3] = {
+                {rate_x, (xy.high - xy.low) * inverse_y, (xz.high - xz.low) * inverse_z},
+                {(yx.high - yx.low) * inverse_x, rate_y, (yz.high - yz.low) * inverse_z},
+                {(zx.high - zx.low) * inverse_x, (zy.high - zy.low) * inverse_y, rate_z}};
+            store_viscous_stress(row, place, gradient);
+        }
+        Lanes where;
+        for (int lane = 0; lane < lane_count; ++lane) where[lane] = static_cast<double>(place + lane);
+        rates.take(state.density > 0.0 ? rate : zero, where);
+    }
+    return rates;
+}
+
+} // namespace
+
+CrossingRate evaluate_state(const BoxGrid& grid, BoxFields& fields, BoxContents& contents,
+                            std::span<const FluidGroup> groups, const LagrangeSettings& settings,
+                            double last_step)
+{
+    if (settings.void_allowed) {
+        mirror_fractions(grid, fields);
+        for_sheets(grid, grid.cells(2), [&](int k) {
+            for (int j = 0; j < grid.cells(1); ++j)
+                find_openness({grid, fields, groups, settings, j, k}, contents);
+        });
+    }
+    struct SheetResult {
+        CrossingRate limit;
+        bool torn = false;
+    };
+    std::vector<SheetResult> results(grid.cells(2));
+    for_sheets(grid, grid.cells(2), [&](int k) {
+        SheetResult& result = results[k];
+        for (int j = 0; j < grid.cells(1); ++j) {
+            const Row row{grid, fields, groups, settings, j, k};
+            const LaneRates rates = settings.viscous
+                                        ? evaluate_row<true>(row, contents, last_step, result.torn)
+                                        : evaluate_row<false>(row, contents, last_step, result.torn);
+            for (int lane = 0; lane < lane_count; ++lane) {
+                if (!(rates.rate[lane] > result.limit.rate)) continue;
+                result.limit = {rates.rate[lane], static_cast<std::ptrdiff_t>(rates.place[lane])};
+            }
+        }
+    });
+    CrossingRate limit;
+    bool torn = false;
+    for (const SheetResult& result : results) {
+        if (result.limit.rate > limit.rate) limit = result.limit;
+        torn = torn || result.torn;
+    }
+    if (torn) contents.update(grid, fields);
+    return limit;
+}
+
+} // namespace plash

@@ -1,0 +1,131 @@
+#include "app/commands.h"
+
+#include "parser/layout.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace plash {
+namespace {
+
+std::string_view status_of(const KeywordLayout& layout)
+{
+    switch (layout.treatment) {
+    case Treatment::run:
+        return "run";
+    case Treatment::ignored:
+        return "ignored";
+    case Treatment::read:
+        break;
+    }
+    return "read";
+}
+
+std::string type_of(const FieldLayout& field)
+{
+    if (field.kind != Kind::none)
+        return fmt::format("{}{}", field.defines ? "new " : "", to_string(field.kind));
+    return field.type == FieldType::real ? "real" : field.type == FieldType::integer ? "integer" : "text";
+}
+
+/// Calls visit(card, field) for every named field.
+template <class Visit>
+void for_each_field(const std::vector<CardLayout>& cards, Visit&& visit)
+{
+    for (const CardLayout& card : cards) {
+        for (const FieldLayout& field : card.fields)
+            if (!field.name.empty()) visit(card, field);
+        for_each_field(card.group, visit);
+    }
+}
+
+std::string default_of(const FieldLayout& field)
+{
+    if (!field.has_default) return field.type == FieldType::text || field.kind != Kind::none ? "" : "0";
+    return field.type == FieldType::text ? field.default_text : fmt::format("{}", field.default_value);
+}
+
+nlohmann::ordered_json to_json(const KeywordLayout& layout)
+{
+    nlohmann::ordered_json json{{"name", layout.name}, {"status", status_of(layout)}};
+    if (!layout.aliases.empty()) json["aliases"] = layout.aliases;
+    if (!layout.reason.empty()) json["reason"] = layout.reason;
+    json["options"] = nlohmann::ordered_json::array();
+    for (const OptionLayout& option : layout.options) json["options"].push_back(option.name);
+    json["fields"] = nlohmann::ordered_json::array();
+    for_each_field(layout.cards, [&](const CardLayout&, const FieldLayout& field) {
+        nlohmann::ordered_json entry{
+            {"name", field.name}, {"type", type_of(field)}, {"default", default_of(field)}};
+        entry["honoured"] = layout.treatment == Treatment::run && layout.honours(field.name);
+        for (const auto& [name, why] : layout.ignored_fields)
+            if (name == field.name) entry["reason"] = why;
+        json["fields"].push_back(std::move(entry));
+    });
+    return json;
+}
+
+void print_fields(const KeywordLayout& layout)
+{
+    fmt::print("*{}: {}{}\n", layout.name, status_of(layout),
+               layout.reason.empty() ? "" : " (" + layout.reason + ")");
+    for (const std::string& alias : layout.aliases) fmt::print("  also written *{}\n", alias);
+    for (const OptionLayout& option : layout.options) fmt::print("  option _{}\n", option.name);
+    for_each_field(layout.cards, [&](const CardLayout& card, const FieldLayout& field) {
+        const bool honoured = layout.treatment == Treatment::run && layout.honours(field.name);
+        fmt::print("  {:10} {:28} {:10} {}{}\n", field.name, type_of(field), default_of(field),
+                   honoured ? "honoured" : "",
+                   card.condition.empty() ? "" : fmt::format("  (if {})", card.condition));
+    });
+    for (const auto& [name, why] : layout.ignored_fields) fmt::print("  {} is ignored: {}\n", name, why);
+}
+
+int list_keywords(const std::string& name, bool json)
+{
+    const LayoutTable& table = layout_table();
+    std::vector<const KeywordLayout*> chosen;
+    if (const KeywordLayout* one = table.resolve(name).layout; one && !name.empty()) {
+        chosen.push_back(one);
+    } else {
+        const std::string part = table.resolve(name).name;
+        for (const auto& layout : table.all())
+            if (layout->name.find(part) != std::string::npos) chosen.push_back(layout.get());
+    }
+    if (chosen.empty()) {
+        fmt::print(stderr, "plash: no keyword like '{}'\n", name);
+        return 2;
+    }
+    std::sort(chosen.begin(), chosen.end(),
+              [](const KeywordLayout* a, const KeywordLayout* b) { return a->name < b->name; });
+    if (json) {
+        auto list = nlohmann::ordered_json::array();
+        for (const KeywordLayout* layout : chosen) list.push_back(to_json(*layout));
+        fmt::print("{}\n", list.dump(1));
+    } else if (chosen.size() == 1) {
+        print_fields(*chosen.front());
+    } else {
+        for (const KeywordLayout* layout : chosen)
+            fmt::print("{:8} *{}{}\n", status_of(*layout), layout->name,
+                       layout->reason.empty() ? "" : " (" + layout->reason + ")");
+    }
+    return 0;
+}
+
+} // namespace
+
+void add_keywords(CLI::App& program, int& exit_code)
+{
+    struct Options {
+        std::string name;
+        bool json = false;
+    };
+    auto options = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand("keywords", "list what Plash makes of each keyword and field");
+    command->add_option("name", options->name, "one keyword in full, or a part of the names to list");
+    command->add_flag("--json", options->json, "print as JSON");
+    command->callback([options, &exit_code] { exit_code = list_keywords(options->name, options->json); });
+}
+
+} // namespace plash

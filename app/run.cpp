@@ -1,0 +1,212 @@
+#include "app/commands.h"
+#include "app/picture.h"
+#include "app/progress.h"
+#include "output/recorders.h"
+#include "output/summary.h"
+#include "parser/read_model.h"
+#include "solver/explicit_loop.h"
+#include "solver/scene.h"
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <omp.h>
+#include <sys/resource.h>
+
+namespace plash {
+
+namespace {
+
+struct RunArguments {
+    std::string deck;
+    std::string directory;
+    std::vector<std::string> settings;
+    int threads = 0;
+    double until = std::numeric_limits<double>::infinity();
+    bool allow_unsupported = false;
+    bool picture = false;
+    bool vtk = false;
+};
+
+std::atomic<bool> stop_requested = false;
+
+void request_stop(int)
+{
+    stop_requested = true;
+}
+
+/// Prints errors and warnings; false when the deck cannot run.
+bool judge(const ReadResult& read, bool allow_unsupported)
+{
+    for (const Message& warning : read.report.warnings) {
+        fmt::print("warning: {}\n", to_text(warning, read.model));
+    }
+    for (const Message& error : read.report.errors) fmt::print(stderr, "{}\n", to_text(error, read.model));
+    const std::vector<Message> unsupported = unsupported_keywords(read.report);
+    for (const Message& message : unsupported) {
+        fmt::print(stderr, "{}{}\n", allow_unsupported ? "WARNING, runs without: " : "",
+                   to_text(message, read.model));
+    }
+    if (!read.ok) {
+        fmt::print(stderr, "the deck has {} error{}; nothing was run\n", read.report.errors.size(),
+                   read.report.errors.size() == 1 ? "" : "s");
+        return false;
+    }
+    if (!unsupported.empty() && !allow_unsupported) {
+        fmt::print(stderr, "the deck asks for physics that Plash does not run; nothing was run "
+                           "(--allow-unsupported runs without it)\n");
+        return false;
+    }
+    return true;
+}
+
+void print_ignored(const ReadResult& read)
+{
+    for (const auto& [name, use] : read.report.keywords) {
+        if (use.status == KeywordStatus::ignored) {
+            fmt::print("ignored: {}: *{}: {}\n", read.model.place(use.first), name, use.reason);
+        }
+    }
+    for (const IgnoredField& field : read.report.ignored) {
+        fmt::print("ignored: {}: *{}, field {} = {}: {}\n", read.model.place(field.where), field.keyword,
+                   field.field, field.value, field.reason);
+    }
+}
+
+RunSummary::Termination termination_of(const Outcome& outcome)
+{
+    switch (outcome.termination) {
+    case Outcome::Termination::normal:
+        return RunSummary::Termination::normal;
+    case Outcome::Termination::stopped:
+        return RunSummary::Termination::stopped;
+    case Outcome::Termination::error:
+        break;
+    }
+    return RunSummary::Termination::error;
+}
+
+RunSummary summarise(const RunArguments& arguments, const Scene& scene, const Outcome& outcome)
+{
+    RunSummary summary;
+    summary.deck = arguments.deck;
+    summary.version = PLASH_VERSION;
+    summary.threads = omp_get_max_threads();
+    summary.termination = termination_of(outcome);
+    summary.message = outcome.message;
+    summary.time = outcome.clock.time;
+    summary.end_time = outcome.end_time;
+    summary.cycles = outcome.clock.cycle;
+    summary.wall_seconds = outcome.wall_seconds;
+    summary.cpu_seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    summary.peak_memory_bytes = 1024 * static_cast<std::uint64_t>(usage.ru_maxrss);
+    summary.time_step_first = outcome.first_step;
+    summary.time_step_last = outcome.last_step;
+    summary.added_mass_ratio = scene.added_mass_ratio;
+    summary.energy = scene.ledger;
+    for (std::size_t i = 0; i < scene.terms.size(); ++i) {
+        const std::uint64_t items = scene.terms[i]->items();
+        summary.terms.push_back({std::string(scene.terms[i]->name()), outcome.term_seconds[i], items,
+                                 items * static_cast<std::uint64_t>(outcome.clock.cycle + 1)});
+    }
+    return summary;
+}
+
+void print_end(const RunSummary& summary)
+{
+    for (const auto& term : summary.terms) {
+        if (term.item_steps == 0 || term.seconds < 0.01 * summary.wall_seconds) continue;
+        fmt::print("  {:<40} {:8.2f} s  {:7.3f} microseconds per item and cycle\n", term.name, term.seconds,
+                   1e6 * term.seconds / static_cast<double>(term.item_steps));
+    }
+    const double error = summary.energy.balance_error();
+    fmt::print("{} termination at t = {:.6e} after {} cycles, {:.2f} s; energy balance error {:.3f} %{}\n",
+               summary.termination == RunSummary::Termination::normal ? "Normal" : "Early", summary.time,
+               summary.cycles, summary.wall_seconds, 100 * error,
+               error > 0.02 ? " - THE ENERGY BALANCE IS OFF: do not trust this run" : "");
+    if (!summary.message.empty()) fmt::print(stderr, "{}\n", summary.message);
+}
+
+int run_deck(const RunArguments& arguments)
+{
+    if (arguments.threads > 0) omp_set_num_threads(arguments.threads);
+    ReadOptions options;
+    for (const std::string& setting : arguments.settings) {
+        const auto sign = setting.find('=');
+        options.parameters.emplace_back(setting.substr(0, sign), setting.substr(sign + 1));
+    }
+    ReadResult read = read_model(arguments.deck, options);
+    if (!judge(read, arguments.allow_unsupported)) return 1;
+
+    const Model& model = read.model;
+    std::unique_ptr<Scene> scene;
+    try {
+        scene = std::make_unique<Scene>(make_scene(model));
+    } catch (const DeckError& error) {
+        fmt::print(stderr, "{}: {}\n", model.place(error.where), error.what());
+        return 1;
+    }
+    list_unread_fields(model, read.report);
+    print_ignored(read);
+
+    const std::string directory =
+        arguments.directory.empty()
+            ? (std::filesystem::path("results") / std::filesystem::path(arguments.deck).stem()).string()
+            : arguments.directory;
+    std::filesystem::create_directories(directory);
+    fmt::print("Plash {}: {}, {} thread{}\n", PLASH_VERSION, arguments.deck, omp_get_max_threads(),
+               omp_get_max_threads() == 1 ? "" : "s");
+    fmt::print("  {} nodes, {} shells, {} solids, {} parts; results in {}\n", model.nodes.size(),
+               model.shells.size(), model.solids.size(), model.parts.size(), directory);
+    if (scene->added_mass_ratio > 0) {
+        fmt::print("  mass scaling adds {:.3f} % of the mass\n", 100 * scene->added_mass_ratio);
+    }
+
+    for (const auto& term : scene->terms) {
+        for (const std::string& line : term->notices(scene->state)) fmt::print("  {}\n", line);
+    }
+
+    Recorders recorders = make_recorders(model, directory, {.vtk = arguments.vtk});
+    const double end_time = std::min(arguments.until, model.controls.time.end_time);
+    recorders.push_back(std::make_unique<Progress>(end_time));
+    std::signal(SIGINT, request_stop);
+    const Outcome outcome = run(*scene, recorders, {end_time, &stop_requested});
+    const RunSummary summary = summarise(arguments, *scene, outcome);
+    write_summary(summary, directory);
+    print_end(summary);
+    std::fflush(stdout); // so that what the drawing program says comes behind it
+    if (arguments.picture) draw_picture(directory);
+    return outcome.termination == Outcome::Termination::normal ? 0 : 3;
+}
+
+} // namespace
+
+void add_run(CLI::App& program, int& exit_code)
+{
+    auto arguments = std::make_shared<RunArguments>();
+    CLI::App* command = program.add_subcommand("run", "Run a keyword deck to its termination time");
+    command->add_option("deck", arguments->deck, "The keyword deck")->required();
+    command->add_option("-o,--output", arguments->directory, "Where results go (default: results/DECK)");
+    command
+        ->add_option("-j,--threads", arguments->threads,
+                     "Threads (default: all; results do not depend on it)")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--set", arguments->settings, "NAME=VALUE: replaces a *PARAMETER of the deck")
+        ->check([](const std::string& text) {
+            return text.find('=') == std::string::npos ? "must be NAME=VALUE" : "";
+        });
+    command->add_option("--until", arguments->until, "Stop at this time if the deck would run longer");
+    command->add_flag("--allow-unsupported", arguments->allow_unsupported,
+                      "Run without the keywords that Plash does not support, with a warning for each");
+    command->add_flag("--vtk", arguments->vtk, "Also write result.pvd and vtk/ for ParaView");
+    command->add_flag("--picture", arguments->picture, "Draw picture.png at the end");
+    command->callback([arguments, &exit_code] { exit_code = run_deck(*arguments); });
+}
+
+} // namespace plash

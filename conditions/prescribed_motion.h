@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/term.h"
+#include "core/work_sum.h"
+#include "model/model.h"
+
+namespace plash {
+
+/// Nodes whose velocity, acceleration or displacement along a direction follows a curve
+/// (*BOUNDARY_PRESCRIBED_MOTION_NODE, _SET). The force on the driven freedom is replaced by what makes the
+/// new velocity the prescribed one.
+class PrescribedMotions : public Term {
+public:
+    /// Takes the motions of nodes; those of rigid parts belong to the rigid bodies.
+    PrescribedMotions(const Model& model, const State& state);
+
+    std::string_view name() const override { return "prescribed motion"; }
+    std::size_t items() const override { return count_; }
+    void constrain(const Clock& clock, State& state) override;
+    void report(EnergyLedger& ledger) const override;
+    void collect(const State& state, ElementResults& results) const override;
+
+    bool empty() const { return motions_.empty(); }
+    /// Driven freedoms start with the velocity that their curve has at t = 0.
+    void start(State& state) const;
+
+private:
+    struct DrivenNode {
+        double travelled = 0; ///< displacement (or angle) along the direction so far
+        double force = 0;     ///< along the direction that drives the node at n [force] or [moment]
+        WorkSum work;
+    };
+    struct Driven {
+        const PrescribedMotion* motion;
+        std::vector<DrivenNode> nodes; ///< like motion->nodes
+    };
+    const Model& model_;
+    std::vector<Driven> motions_;
+    std::size_t count_ = 0;
+};
+
+} // namespace plash

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "contact/bounding_tree.h"
+#include "contact/contact_mesh.h"
+#include "contact/mesh_motion.h"
+
+namespace plash {
+
+/// Which facets each node may come to touch before the list is made anew.
+struct PairList {
+    std::vector<Index> node;  ///< of each pair, rising
+    std::vector<Index> facet; ///< of each pair, rising for each node
+    /// Path (see MeshMotion::travelled) before which the pair cannot touch [length]; kept by the TouchFinder.
+    std::vector<double> due;
+};
+
+/// Finds pairs closer than what contact needs plus a margin, and tells when they must be found again.
+///
+/// A pair is left out when the node is a corner of the facet or of the solid behind it, and when the node
+/// does not act on the facet. The list holds until nodes of the mesh have moved relative to one another by
+/// the margin: the diagonal of the box of all displacements since the search bounds every relative
+/// displacement, so a car that drives as a whole needs no search.
+class PairSearch {
+public:
+    PairSearch() = default;
+    /// solid_nodes: of the Model, for the nodes behind a facet.
+    PairSearch(const ContactMesh& mesh, const std::vector<std::array<Index, 8>>& solid_nodes);
+
+    /// Finds all pairs if those at hand do not hold any more.
+    void update(const ContactMesh& mesh, const MeshMotion& motion);
+    /// Makes the next search come before the next cycle (surfaces have changed).
+    void forget() { searched_at_.clear(); }
+
+    PairList& pairs() { return pairs_; }
+    const PairList& pairs() const { return pairs_; }
+    double margin() const { return margin_; }
+    long searches() const { return searches_; }
+
+private:
+    const std::vector<std::array<Index, 8>>* solid_nodes_ = nullptr;
+    double margin_ = 0;        ///< [length]
+    std::vector<Index> order_; ///< mesh nodes with neighbours in space beside one another
+    std::vector<Vec3> searched_at_;
+    double test_due_ = 0; ///< path before which no relative displacement can exceed the margin [length]
+    BoundingTree tree_;
+    PairList pairs_;
+    long searches_ = 0;
+
+    bool holds(const MeshMotion& motion);
+    void search(const ContactMesh& mesh, const MeshMotion& motion);
+    void search_nodes(const ContactMesh& mesh, std::span<const Vec3> position, double margin,
+                      std::size_t begin, std::size_t end, PairList& found) const;
+    void sort_by_node(std::size_t node_count, const std::vector<PairList>& found);
+    bool may_touch(const ContactMesh& mesh, Index node, Index facet) const;
+};
+
+} // namespace plash

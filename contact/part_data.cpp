@@ -1,0 +1,144 @@
+#include "contact/part_data.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace plash {
+
+namespace {
+
+double first_given(const Record& record, std::initializer_list<const char*> names)
+{
+    for (const char* name : names) {
+        const Record::Field* field = record.find(name);
+        if (field && field->value > 0) return field->value;
+    }
+    return 0;
+}
+
+double bulk_of_state_equation(const Record& state_equation, double density)
+{
+    const std::string& name = state_equation.keyword;
+    if (name.find("LINEAR_POLYNOMIAL") != std::string::npos) return first_given(state_equation, {"C1"});
+    if (name.find("GRUNEISEN") != std::string::npos) {
+        const double speed = first_given(state_equation, {"C"});
+        return density * speed * speed;
+    }
+    if (name.find("TABULATED") != std::string::npos) {
+        // Slope of pressure over ln(volume) at the first compressive interval.
+        for (int i = 1; i < 10; ++i) {
+            const auto value = [&](const char* stem, int number) {
+                return state_equation.real(stem + std::to_string(number));
+            };
+            const double strain = value("EV", i + 1) - value("EV", i);
+            if (value("EV", i + 1) >= 0 || strain >= 0) continue;
+            return -(value("C", i + 1) - value("C", i)) / strain;
+        }
+    }
+    return first_given(state_equation, {"K0", "A", "C1"});
+}
+
+} // namespace
+
+double bulk_modulus_of(const Model& model, const Part& part)
+{
+    if (part.material == none) return 0;
+    const Record& material = model.materials[part.material];
+    const double young = first_given(material, {"E", "YM", "EA", "EX"});
+    const double poisson = first_given(material, {"PR", "NU", "PRBA"});
+    if (young > 0) return young / (3 * (1 - 2 * std::min(poisson, 0.499)));
+    const double bulk = first_given(material, {"K", "BULK", "KUN", "BULKM"});
+    if (bulk > 0) return bulk;
+    const double shear = first_given(material, {"G", "GI", "G0"});
+    const double mooney = 2 * (first_given(material, {"A"}) + first_given(material, {"B"}));
+    const double any_shear = shear > 0 ? shear : mooney;
+    if (any_shear > 0 && poisson > 0) {
+        return 2 * any_shear * (1 + poisson) / (3 * (1 - 2 * std::min(poisson, 0.499)));
+    }
+    if (part.equation_of_state == none) return 0;
+    return bulk_of_state_equation(model.equations_of_state[part.equation_of_state],
+                                  first_given(material, {"RO"}));
+}
+
+std::vector<PartData> part_data(const Model& model)
+{
+    std::vector<PartData> parts(model.parts.size());
+    for (std::size_t number = 0; number < parts.size(); ++number) {
+        const Part& part = model.parts[number];
+        PartData& data = parts[number];
+        if (part.material != none) {
+            const Record& material = model.materials[part.material];
+            data.density = first_given(material, {"RO"});
+            data.rigid = material.keyword == "MAT_RIGID";
+        }
+        data.bulk_modulus = bulk_modulus_of(model, part);
+        if (part.section == none) continue;
+        const Record& section = model.sections[part.section];
+        if (section.keyword.starts_with("SECTION_SHELL")) data.thickness = section.real("T1");
+        if (section.keyword.starts_with("SECTION_BEAM")) {
+            const double outer = first_given(section, {"TS1"}), inner = first_given(section, {"TT1"});
+            const bool tube = section.integer("CST") == 1;
+            const double own_area = first_given(section, {"A"});
+            data.beam_radius = 0.5 * std::max(outer, tube ? 0 : inner);
+            const double hole = tube && inner < outer ? inner : 0;
+            data.beam_area = tube ? 0.25 * std::numbers::pi * (outer * outer - hole * hole) : outer * inner;
+            if (own_area > 0) data.beam_area = own_area;
+            if (data.beam_radius == 0) data.beam_radius = std::sqrt(data.beam_area / std::numbers::pi);
+        }
+    }
+    return parts;
+}
+
+double solid_volume(const std::array<Index, 8>& nodes, const std::vector<Vec3>& position)
+{
+    const auto p = [&](int corner) { return position[nodes[corner]]; };
+    if (nodes[4] == nodes[3] && nodes[5] == nodes[3]) { // tetrahedron as 1 2 3 4 4 4 4 4
+        return std::abs(dot(p(1) - p(0), cross(p(2) - p(0), p(3) - p(0)))) / 6;
+    }
+    const Vec3 a = (p(6) - p(1)) + (p(7) - p(0)), b = (p(6) - p(3)) + (p(5) - p(0));
+    const Vec3 c = (p(6) - p(4)) + (p(2) - p(0));
+    return std::abs(dot(a, cross(p(6) - p(3), p(2) - p(0))) + dot(p(7) - p(0), cross(b, p(6) - p(4))) +
+                    dot(p(6) - p(1), cross(p(5) - p(0), c))) /
+           12;
+}
+
+double segment_area(const std::array<Index, 4>& nodes, const std::vector<Vec3>& position)
+{
+    const Vec3 first = position[nodes[2]] - position[nodes[0]];
+    const Vec3 second = nodes[3] == nodes[2] ? position[nodes[1]] - position[nodes[0]]
+                                             : position[nodes[3]] - position[nodes[1]];
+    return 0.5 * norm(cross(first, second));
+}
+
+std::vector<double> lumped_masses(const Model& model, const std::vector<PartData>& parts)
+{
+    const std::vector<Vec3>& position = model.nodes.position;
+    std::vector<double> mass(position.size());
+    for (std::size_t i = 0; i < model.solids.size(); ++i) {
+        const auto& nodes = model.solids.nodes[i];
+        const double whole = parts[model.solids.part[i]].density * solid_volume(nodes, position);
+        const int corners = nodes[4] == nodes[3] && nodes[5] == nodes[3] ? 4 : 8;
+        for (int corner = 0; corner < corners; ++corner) mass[nodes[corner]] += whole / corners;
+    }
+    for (std::size_t i = 0; i < model.shells.size(); ++i) {
+        const auto& nodes = model.shells.nodes[i];
+        const PartData& part = parts[model.shells.part[i]];
+        double thickness = part.thickness;
+        if (!model.shells.thickness.empty() && model.shells.thickness[i][0] > 0) {
+            const auto& t = model.shells.thickness[i];
+            thickness = 0.25 * (t[0] + t[1] + t[2] + t[3]);
+        }
+        const bool triangle = nodes[3] == nodes[2];
+        const double share = part.density * thickness * segment_area(nodes, position) / (triangle ? 3 : 4);
+        for (int corner = 0; corner < (triangle ? 3 : 4); ++corner) mass[nodes[corner]] += share;
+    }
+    for (std::size_t i = 0; i < model.beams.size(); ++i) {
+        const auto& nodes = model.beams.nodes[i];
+        const PartData& part = parts[model.beams.part[i]];
+        const double length = norm(position[nodes[1]] - position[nodes[0]]);
+        for (int end = 0; end < 2; ++end) mass[nodes[end]] += 0.5 * part.density * part.beam_area * length;
+    }
+    return mass;
+}
+
+} // namespace plash

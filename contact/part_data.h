@@ -1,0 +1,32 @@
+#pragma once
+
+#include "model/model.h"
+
+namespace plash {
+
+/// What contact needs to know of a part beside its mesh.
+struct PartData {
+    double density = 0;      ///< [density]
+    double bulk_modulus = 0; ///< [stress]; 0: the material gives none that contact could use
+    double thickness = 0;    ///< of shells by their section [length]; 0 for other parts
+    double beam_radius = 0;  ///< of beams, half the outer diameter [length]
+    double beam_area = 0;    ///< of beams [length^2]
+    bool rigid = false;
+};
+
+/// Bulk modulus from E and PR (or what the law has in their place), else from the equation of state.
+double bulk_modulus_of(const Model& model, const Part& part);
+
+/// By part of the Model.
+std::vector<PartData> part_data(const Model& model);
+
+/// Mass of each node from density and volume of its elements (solids, shells, beams) [mass]. The State's
+/// masses cannot serve for nodes of rigid bodies, whose mass the body carries.
+std::vector<double> lumped_masses(const Model& model, const std::vector<PartData>& parts);
+
+/// Volume of a hexahedron or one of its degenerate forms (Grandy 1997, sum of tetrahedra) [length^3].
+double solid_volume(const std::array<Index, 8>& nodes, const std::vector<Vec3>& position);
+/// Area of a quadrilateral or triangle [length^2].
+double segment_area(const std::array<Index, 4>& nodes, const std::vector<Vec3>& position);
+
+} // namespace plash

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "contact/touch.h"
+
+#include <cmath>
+
+namespace plash {
+
+/// Force of a touch from its penetration: linear, with the kink at the onset rounded over the distance that
+/// the node came in by in the step in which it was found. The work of a bounce in explicit steps then closes
+/// to about a thousandth; with the kink, the half step of full force at either end leaves up to (omega dt)^2
+/// / 4 of the peak.
+inline double rounded_force(double stiffness, double penetration, double rounding)
+{
+    if (penetration <= 0) return 0;
+    if (penetration < rounding) return 0.5 * stiffness * penetration * penetration / rounding;
+    return stiffness * (penetration - 0.5 * rounding);
+}
+
+/// Coulomb coefficient that decays with the sliding speed: FD + (FS - FD) exp(-DC |v|).
+struct Friction {
+    double at_rest = 0;   ///< FS [-]
+    double moving = 0;    ///< FD [-]
+    double decay = 0;     ///< DC [time/length]
+    double shear_cap = 0; ///< VC: largest friction stress [stress]; 0: none
+
+    double coefficient(double speed) const
+    {
+        return decay == 0 ? at_rest : moving + (at_rest - moving) * std::exp(-decay * speed);
+    }
+    bool any() const { return at_rest > 0 || moving > 0; }
+};
+
+/// Tangential force on the node after a step (Hallquist 2006, 'Friction'): the old force carried into the
+/// tangent plane less stiffness times the slip of this step, cut back to the friction limit. slip   relative
+/// tangential motion of the node over the facet in the step [length] limit  largest friction force [force]
+inline Vec3 friction_force(const Vec3& before, const Vec3& normal, const Vec3& slip, double stiffness,
+                           double limit)
+{
+    const Vec3 trial = before - dot(before, normal) * normal - stiffness * slip;
+    const double size = norm(trial);
+    return size > limit ? (limit / size) * trial : trial;
+}
+
+/// Damping coefficient for a percentage of critical damping of node and facet on the contact spring
+/// (Hallquist 2006, 'Contact damping'): c = 2 xi min(m_s, m_m) omega, omega^2 = k (m_s + m_m) / (m_s m_m).
+inline double damping_coefficient(double percent, double stiffness, double node_mass, double facet_mass)
+{
+    if (percent <= 0 || node_mass <= 0 || facet_mass <= 0) return 0;
+    const double omega = std::sqrt(stiffness * (node_mass + facet_mass) / (node_mass * facet_mass));
+    return 0.02 * percent * std::min(node_mass, facet_mass) * omega;
+}
+
+} // namespace plash

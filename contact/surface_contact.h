@@ -1,0 +1,77 @@
+#pragma once
+
+#include "contact/penalty_law.h"
+#include "contact/touch.h"
+#include "core/term.h"
+
+namespace plash {
+
+/// Penalty contact of nodes on segments: single surface, two-way or one-way, automatic or oriented.
+///
+/// Stiffness of a touch: SOFT = 0: SLSFAC times the smaller (or as PENOPT says) of node and segment
+/// stiffness. SOFT = 1: at least SOFSCL m* / (2 dt^2) with the smallest mass of node and segment nodes and
+/// the longest step of the run so far, so that soft and stiff bodies meet as the step allows (Hallquist 2006,
+/// 'Soft constraint').
+///
+/// Energy: work of the contact forces by the trapezoidal rule over each step. Sliding energy is what they
+/// have taken out of the motion: elastic energy that comes back, friction and damping that do not.
+class SurfaceContact : public Term {
+public:
+    SurfaceContact(const Contact& contact, const Model& model, const std::vector<PartData>& parts);
+
+    std::string_view name() const override { return "contact"; }
+    std::size_t items() const override { return mesh_.nodes.size(); }
+    void add_forces(const Clock& clock, State& state) override;
+    StepVote stable_step() const override { return vote_; }
+    /// Initial penetrations: how many, how deep, where.
+    std::vector<std::string> notices(const State& state) const override;
+    void report(EnergyLedger& ledger) const override { ledger.sliding += energy_.slave + energy_.master; }
+    void collect(const State& state, ElementResults& results) const override;
+
+    const Contact& contact() const { return contact_; }
+    const ContactMesh& mesh() const { return mesh_; }
+    const TouchList& touches() const { return now_; }
+    long searches() const { return search_.searches(); }
+    double sliding_energy() const { return energy_.slave + energy_.master; }
+    double friction_energy() const { return energy_.friction; }
+
+private:
+    struct Energy {
+        double slave = 0, master = 0, friction = 0; ///< taken out of the motion so far [energy]
+    };
+    /// What all touches together do to a node.
+    struct alignas(32) NodeSum {
+        Vec3 force{};
+        double stiffness = 0; ///< of the springs that hang on the node [force/length]
+    };
+    const Contact& contact_;
+    const Model& model_;
+    ContactMesh mesh_;
+    PairSearch search_;
+    MeshMotion motion_;
+    std::vector<double> lumped_; ///< masses of the Model's nodes by their elements, until the first cycle
+    std::vector<double> mass_;   ///< of the mesh's nodes [mass]
+    std::vector<Friction> frictions_; ///< by part, and one more for nodes and facets without a part
+    TouchList now_, before_;
+    std::vector<NodeSum> sum_now_, sum_before_; ///< by mesh node; all zero without touches
+    long deletions_seen_ = 0;
+    double soft_step_ = 0; ///< longest step so far [time]
+    bool soft_changed_ = false;
+    Energy energy_;
+    StepVote vote_;
+
+    bool active(const Clock& clock) const
+    {
+        return clock.time >= contact_.birth && clock.time <= contact_.death;
+    }
+    void take_masses(const State& state);
+    void follow_erosion(const State& state);
+    void find_touches();
+    double apply_law(Touch& touch) const;
+    double stiffness_of(const Touch& touch) const;
+    const Friction& friction_of(const Touch& touch, Friction& mixed) const;
+    void sum_up();
+    void add_to(const Clock& clock, State& state);
+};
+
+} // namespace plash

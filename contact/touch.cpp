@@ -1,0 +1,400 @@
+#include "contact/touch.h"
+
+#include "contact/closest_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plash {
+
+namespace {
+
+using Facet = ContactMesh::Facet;
+
+/// Share of its size by which an oriented facet reaches beyond its sides (as MAXPAR = 1.025 of LS-DYNA).
+constexpr double overhang = 0.025;
+
+/// First pair of the first node that begins at or after `place`.
+std::size_t node_start(const PairList& pairs, std::size_t place)
+{
+    while (place > 0 && place < pairs.node.size() && pairs.node[place] == pairs.node[place - 1]) ++place;
+    return place;
+}
+
+bool share_a_corner(const Facet& a, const Facet& b)
+{
+    for (Index corner : a.corner) {
+        if (std::find(b.corner.begin(), b.corner.end(), corner) != b.corner.end()) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+std::size_t TouchList::size() const
+{
+    std::size_t size = 0;
+    for (const auto& chunk : chunks) size += chunk.size();
+    return size;
+}
+
+void TouchList::clear()
+{
+    chunks.clear();
+    first.clear();
+}
+
+void TouchList::forget()
+{
+    if (first.empty()) return;
+    for (const auto& chunk : chunks) {
+        for (const Touch& touch : chunk) first[touch.node] = nullptr;
+    }
+}
+
+void TouchList::index(std::size_t chunk)
+{
+    const std::vector<Touch>& touches = chunks[chunk];
+    for (std::size_t i = 0; i < touches.size(); i += touches[i].count) first[touches[i].node] = &touches[i];
+}
+
+/// Normal in the middle of a facet.
+Vec3 TouchFinder::facet_normal(Index facet) const
+{
+    const auto& corner = mesh_.facets[facet].corner;
+    const auto& p = motion_.position;
+    return segment_normal(SegmentCorners<double>{p[corner[0]], p[corner[1]], p[corner[2]], p[corner[3]]}, 0.5,
+                          0.5);
+}
+
+/// +1 if two facets that share an edge have their normals on the same side of the sheet, -1 if not, 0 if they
+/// share no edge.
+int TouchFinder::same_sense(Index facet, Index other) const
+{
+    if (facet == other) return 1;
+    const auto& edges = mesh_.facet_edges[facet];
+    const auto& other_edges = mesh_.facet_edges[other];
+    for (int i = 0; i < 4; ++i) {
+        if (edges[i] == none) continue;
+        for (int j = 0; j < 4; ++j) {
+            if (other_edges[j] != edges[i]) continue;
+            return mesh_.facets[facet].corner[i] == mesh_.facets[other].corner[j] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, std::vector<Touch>& touches) const
+{
+    std::vector<Near> near;
+    collect_near(pairs, node_start(pairs, begin), node_start(pairs, end), near);
+    for (std::size_t i = 0; i < near.size();) {
+        std::size_t next = i + 1;
+        while (next < near.size() && near[next].node == near[i].node) ++next;
+        resolve({near.data() + i, next - i}, touches);
+        i = next;
+    }
+}
+
+/// Goes through the pairs that are due, eight at a time. Facets and their corners lie where the other body
+/// is: they are called for a few batches ahead.
+void TouchFinder::collect_near(PairList& pairs, std::size_t begin, std::size_t end,
+                               std::vector<Near>& near) const
+{
+    const double now = motion_.travelled + motion_.step_range;
+    std::vector<Index> due;
+    for (std::size_t pair = begin; pair < end; ++pair) {
+        if (pairs.due[pair] <= now) due.push_back(static_cast<Index>(pair));
+    }
+    near.reserve(due.size());
+    constexpr std::size_t facets_ahead = 4 * lane_count, corners_ahead = 2 * lane_count;
+    for (std::size_t first = 0; first < due.size(); first += lane_count) {
+        const std::size_t last = std::min(first + lane_count, due.size());
+        for (std::size_t i = first; i < last; ++i) {
+            if (i + facets_ahead < due.size()) {
+                __builtin_prefetch(&mesh_.facets[pairs.facet[due[i + facets_ahead]]]);
+            }
+            if (i + corners_ahead >= due.size()) continue;
+            const auto& corner = mesh_.facets[pairs.facet[due[i + corners_ahead]]].corner;
+            __builtin_prefetch(&motion_.position[corner[0]]);
+            __builtin_prefetch(&motion_.position[corner[2]]);
+        }
+        measure(pairs, {due.data() + first, last - first}, near);
+    }
+}
+
+/// Closest points of some pairs: keeps those that may touch in this step, and tells the others when they are
+/// due.
+void TouchFinder::measure(PairList& pairs, std::span<const Index> batch, std::vector<Near>& near) const
+{
+    alignas(sizeof(Lanes)) double place[15][lane_count];
+    alignas(sizeof(Lanes)) double widest[lane_count];
+    for (int lane = 0; lane < lane_count; ++lane) {
+        const std::size_t pair = batch[std::min<std::size_t>(lane, batch.size() - 1)];
+        const Facet& facet = mesh_.facets[pairs.facet[pair]];
+        const Index node = pairs.node[pair];
+        const auto put = [&](int row, const Vec3& p) {
+            place[row][lane] = p.x;
+            place[row + 1][lane] = p.y;
+            place[row + 2][lane] = p.z;
+        };
+        put(0, motion_.position[node]);
+        for (int corner = 0; corner < 4; ++corner)
+            put(3 + 3 * corner, motion_.position[facet.corner[corner]]);
+        widest[lane] = std::max(mesh_.nodes[node].half_thickness + facet.half_thickness, facet.depth);
+    }
+    const auto get = [&](int row) {
+        Vector3<Lanes> v;
+        std::memcpy(&v.x, place[row], sizeof(Lanes));
+        std::memcpy(&v.y, place[row + 1], sizeof(Lanes));
+        std::memcpy(&v.z, place[row + 2], sizeof(Lanes));
+        return v;
+    };
+    Lanes reach;
+    std::memcpy(&reach, widest, sizeof reach);
+    const SegmentCorners<Lanes> corners{get(3), get(6), get(9), get(12)};
+    const auto point = closest_point(get(0), corners);
+    const auto normal = segment_normal(corners, point.s, point.t);
+    const Lanes left = sqrt(point.distance2) - reach;
+    const auto at = [](const Vector3<Lanes>& v, int lane) { return Vec3{v.x[lane], v.y[lane], v.z[lane]}; };
+    for (int lane = 0; lane < static_cast<int>(batch.size()); ++lane) {
+        const std::size_t pair = batch[lane];
+        pairs.due[pair] = motion_.travelled + left[lane];
+        if (left[lane] > motion_.step_range) continue;
+        near.push_back({pairs.node[pair], pairs.facet[pair], static_cast<int>(point.feature[lane]),
+                        point.s[lane], point.t[lane], point.distance2[lane], at(point.offset, lane),
+                        at(normal, lane)});
+    }
+}
+
+/// The side of a sheet (+1 along its normal) on which the node was when it touched this facet or a neighbour.
+bool TouchFinder::keeps_side(const Near& near, std::span<const Touch> before, const Vec3& normal,
+                             double& side) const
+{
+    const Facet& facet = mesh_.facets[near.facet];
+    for (const Touch& old : before) {
+        const double along = dot(old.normal, normal);
+        if (facet.one_sided) {
+            if (along > 0.5) return true;
+            continue;
+        }
+        if (old.facet == near.facet) {
+            side = along < 0 ? -1 : 1;
+            return true;
+        }
+        // Carried across the common edge, a side stays the same also where the sheet is folded.
+        if (const int sense = same_sense(old.facet, near.facet); sense != 0) {
+            side = dot(old.normal, facet_normal(old.facet)) < 0 ? -sense : sense;
+            return true;
+        }
+        if (std::abs(along) > 0.7 && share_a_corner(mesh_.facets[old.facet], facet)) {
+            side = along < 0 ? -1 : 1;
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The side of a sheet on which a node was a step ago, if it was over the facet then; else the side it is on.
+double TouchFinder::side_of_new(const Near& near, double distance) const
+{
+    const double now = distance < 0 ? -1 : 1;
+    if (motion_.last_step == 0) return now;
+    const auto& corner = mesh_.facets[near.facet].corner;
+    const SegmentCorners<double> corners{motion_.previous(corner[0]), motion_.previous(corner[1]),
+                                         motion_.previous(corner[2]), motion_.previous(corner[3])};
+    const auto old = closest_point(motion_.previous(near.node), corners);
+    if (old.feature != 0) return now;
+    return dot(old.offset, segment_normal(corners, old.s, old.t)) < 0 ? -1 : 1;
+}
+
+/// Speed at which the node approaches the facet's point.
+double TouchFinder::closing_speed(const Near& near, const Vec3& normal) const
+{
+    const Facet& facet = mesh_.facets[near.facet];
+    const auto share = corner_shares(near.s, near.t, facet.triangle());
+    Vec3 velocity = -motion_.velocity[near.node];
+    for (int i = 0; i < 4; ++i) velocity += share[i] * motion_.velocity[facet.corner[i]];
+    return dot(velocity, normal);
+}
+
+/// Whether a node inside a solid was outside a step ago (or is there in the first cycle).
+bool TouchFinder::comes_from_outside(const Near& near, const Vec3& normal, double distance) const
+{
+    if (motion_.last_step == 0) return true;
+    const double before = distance + motion_.last_step * closing_speed(near, normal);
+    return before >= -0.1 * mesh_.facets[near.facet].depth;
+}
+
+/// Sum of the normals of the facets around an edge or corner.
+Vec3 TouchFinder::normal_around(const Near& near) const
+{
+    const int corner = near.feature - static_cast<int>(Feature::corner);
+    const auto around = corner < 0 ? mesh_.facets_at_edge(mesh_.facet_edges[near.facet][near.feature - 1])
+                                   : mesh_.facets_at_node(mesh_.facets[near.facet].corner[corner]);
+    Vec3 outward{};
+    for (Index other : around) outward += facet_normal(other);
+    return outward;
+}
+
+/// Whether no facet beside the edge or corner is closer.
+bool TouchFinder::closest_of_feature(const Near& near) const
+{
+    const Facet& facet = mesh_.facets[near.facet];
+    const auto place = [&](Index node) -> const Vec3& { return motion_.position[node]; };
+    const double tolerance = 1e-9 * facet.size * facet.size;
+    const bool needs_neighbour = facet.one_sided || square_edges_;
+    if (near.feature < static_cast<int>(Feature::corner)) {
+        const Index edge = mesh_.facet_edges[near.facet][near.feature - 1];
+        if (edge == none) return false;
+        const auto around = mesh_.facets_at_edge(edge);
+        if (around.size() < 2) return !needs_neighbour;
+        const Vec3 from = place(mesh_.edge_corner[edge][0]);
+        const Vec3 along = unit(place(mesh_.edge_corner[edge][1]) - from);
+        for (Index other : around) {
+            if (other == near.facet) continue;
+            Vec3 inward{};
+            for (Index corner : mesh_.facets[other].corner) inward += place(corner) - from;
+            inward -= dot(inward, along) * along;
+            if (dot(near.offset, inward) > tolerance) return false;
+        }
+        return true;
+    }
+    const Index node = facet.corner[near.feature - static_cast<int>(Feature::corner)];
+    for (Index other : mesh_.facets_at_node(node)) {
+        for (Index edge : mesh_.facet_edges[other]) {
+            if (edge == none) continue;
+            const auto& ends = mesh_.edge_corner[edge];
+            if (ends[0] != node && ends[1] != node) continue;
+            if (needs_neighbour && mesh_.facets_at_edge(edge).size() < 2) return false;
+            const Index far = ends[0] == node ? ends[1] : ends[0];
+            if (dot(near.offset, place(far) - place(node)) > tolerance) return false;
+        }
+    }
+    return true;
+}
+
+/// Whether a node of a solid looks towards a surface with this normal: nodes of a face that slides along do
+/// not catch on the flank of the other body.
+bool TouchFinder::faces(Index node, const Vec3& normal) const
+{
+    Vec3 own{};
+    for (Index facet : mesh_.facets_at_node(node)) {
+        if (mesh_.segments[facet].solid != none) own += facet_normal(facet);
+    }
+    return dot(own, own) == 0 || dot(own, normal) < -0.05 * norm(own);
+}
+
+/// Normal and distance where the closest point lies on an edge or corner.
+bool TouchFinder::touch_on_rim(const Near& near, std::span<const Touch> before, Vec3& normal,
+                               double& distance, bool& known) const
+{
+    const Facet& facet = mesh_.facets[near.facet];
+    const double gap = mesh_.nodes[near.node].half_thickness + facet.half_thickness;
+    distance = std::sqrt(near.distance2);
+    if (distance >= gap && !facet.one_sided && before.empty()) return false;
+    if (!closest_of_feature(near)) return false;
+    const bool at_surface = distance <= 1e-12 * facet.size;
+    const Vec3 outward = facet.one_sided || at_surface ? normal_around(near) : Vec3{};
+    normal = at_surface ? unit(outward) : (1 / distance) * near.offset;
+    double side = 1;
+    if (facet.one_sided) {
+        if (dot(normal, outward) < 0) side = -1;
+        known = keeps_side(near, before, side * normal, side);
+    } else {
+        // Around an edge the side turns with the node: what counts is where it was before.
+        for (const Touch& old : before) {
+            if (dot(old.normal, normal) < -0.7 && share_a_corner(mesh_.facets[old.facet], facet)) side = -1;
+        }
+    }
+    normal = side * normal;
+    distance = side * distance;
+    return true;
+}
+
+bool TouchFinder::touch_of(const Near& near, std::span<const Touch> before, Touch& touch) const
+{
+    const Facet& facet = mesh_.facets[near.facet];
+    const double gap = mesh_.nodes[near.node].half_thickness + facet.half_thickness;
+    Vec3 normal = near.normal;
+    double distance = dot(near.offset, normal);
+    bool known = false;
+    // An oriented facet without thickness reaches a little beyond its sides: nodes of matching meshes must
+    // not fall off at the rim. With a thickness the round rim holds them.
+    const double beyond = facet.one_sided ? overhang * facet.size - gap : -1;
+    if (near.feature == 0 || (beyond > 0 && norm(near.offset - distance * normal) <= beyond)) {
+        double side = 1;
+        known = keeps_side(near, before, normal, side);
+        if (!facet.one_sided && !known) side = side_of_new(near, distance);
+        normal = side * normal;
+        distance = side * distance;
+    } else if (!touch_on_rim(near, before, normal, distance, known)) {
+        return false;
+    }
+    if (distance >= gap || distance < -facet.depth) return false;
+    if (facet.one_sided && !known) {
+        if (!faces(near.node, normal)) return false;
+        if (distance < 0 && !comes_from_outside(near, normal, distance)) return false;
+    }
+    touch.node = near.node;
+    touch.facet = near.facet;
+    touch.s = near.s;
+    touch.t = near.t;
+    touch.normal = normal;
+    touch.penetration = gap - distance;
+    return true;
+}
+
+/// What a touch takes over from the one that it goes on with, or begins with.
+void TouchFinder::inherit(const Near& near, std::span<const Touch> before, Touch& touch) const
+{
+    const Touch* nearest = nullptr;
+    double best = 0.5;
+    for (const Touch& old : before) {
+        const double along = dot(old.normal, touch.normal);
+        if (along <= best) continue;
+        best = along;
+        nearest = &old;
+    }
+    if (nearest) {
+        touch.baseline = std::min(nearest->baseline, touch.penetration);
+        touch.rounding = nearest->rounding;
+        touch.friction = nearest->friction;
+        if (nearest->facet == touch.facet) touch.stiffness = nearest->stiffness;
+        return;
+    }
+    // What the approach of the last step does not explain was there before: it is kept as a baseline.
+    const double approach = std::max(0.0, closing_speed(near, touch.normal)) * motion_.last_step;
+    touch.baseline = std::max(0.0, touch.penetration - 1.5 * approach);
+    touch.rounding = approach;
+}
+
+/// Takes the closest facets first, and others only where they hold the node from clearly another direction.
+void TouchFinder::resolve(std::span<Near> near, std::vector<Touch>& touches) const
+{
+    const auto closer = [](const Near& a, const Near& b) {
+        return std::pair(a.distance2, a.facet) < std::pair(b.distance2, b.facet);
+    };
+    std::sort(near.begin(), near.end(), closer);
+    const std::span<const Touch> before = before_.of(near.front().node);
+    const std::size_t first = touches.size();
+    for (const Near& one : near) {
+        if (touches.size() == first + 3) break;
+        const auto beside = [&](const Vec3& direction, double length) {
+            for (std::size_t i = first; i < touches.size(); ++i) {
+                if (dot(touches[i].normal, direction) >= 0.5 * length) return true;
+            }
+            return false;
+        };
+        const double distance = std::sqrt(one.distance2);
+        if (distance > 0 && beside(one.offset, distance)) continue;
+        Touch touch;
+        if (!touch_of(one, before, touch) || beside(touch.normal, 1)) continue;
+        inherit(one, before, touch);
+        touches.push_back(touch);
+    }
+    for (std::size_t i = first; i < touches.size(); ++i)
+        touches[i].count = static_cast<int>(touches.size() - i);
+}
+
+} // namespace plash

@@ -1,0 +1,41 @@
+#include "core/energy_ledger.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plash {
+
+void EnergyLedger::open_cycle(std::size_t part_count)
+{
+    kinetic = internal = hourglass = bulk_viscosity = sliding = rigid_wall = damping = 0;
+    eroded_kinetic = eroded_internal = eroded_hourglass = advection_loss = external_work = 0;
+    part_internal.assign(part_count, 0);
+    part_hourglass.assign(part_count, 0);
+}
+
+void EnergyLedger::close_cycle()
+{
+    if (!started_) {
+        initial_total = total() - external_work;
+        started_ = true;
+    }
+    const double expected = initial_total + external_work;
+    largest_error = std::max(largest_error, std::abs(total() - expected));
+    largest_turnover = std::max({largest_turnover, std::abs(expected), std::abs(kinetic + internal)});
+}
+
+void EnergyLedger::add_part(int part, double internal_energy, double hourglass_energy)
+{
+    internal += internal_energy;
+    hourglass += hourglass_energy;
+    part_internal[part] += internal_energy;
+    part_hourglass[part] += hourglass_energy;
+}
+
+double EnergyLedger::total() const
+{
+    return kinetic + internal + hourglass + sliding + rigid_wall + damping + eroded_kinetic +
+           eroded_internal + eroded_hourglass + advection_loss;
+}
+
+} // namespace plash

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace plash {
+
+/// Where the energy of a run is at one time [energy]. Terms book what they hold or have taken up to now;
+/// `external_work` is what loads and driven nodes have put in since the start.
+/// Energy a term takes out of the motion for good (rigid wall, damping, sliding) counts as held by it.
+struct EnergyLedger {
+    double kinetic = 0;
+    double internal = 0;
+    double hourglass = 0;
+    double bulk_viscosity = 0; ///< dissipated by bulk viscosity; part of `internal`, shown apart
+    double sliding = 0;
+    double rigid_wall = 0;
+    double damping = 0;
+    double eroded_kinetic = 0;
+    double eroded_internal = 0;
+    double eroded_hourglass = 0;
+    double advection_loss = 0;
+    double external_work = 0;
+
+    std::vector<double> part_internal; ///< by part of the Model
+    std::vector<double> part_hourglass;
+
+    double initial_total = 0; ///< total at the first cycle
+    double largest_error = 0; ///< largest |total - initial - external work| so far [energy]
+    double largest_turnover =
+        0; ///< largest of |initial + external work| and kinetic + internal so far [energy]
+
+    /// Zeroes what terms book anew each cycle; the balance over the run stays.
+    void open_cycle(std::size_t part_count);
+    /// Takes the sums of this cycle into the balance.
+    void close_cycle();
+
+    /// Books internal and hourglass energy under a part and in the totals.
+    void add_part(int part, double internal_energy, double hourglass_energy);
+
+    double total() const;
+    /// Largest balance error of the run over its largest turnover [-].
+    double balance_error() const { return largest_turnover > 0 ? largest_error / largest_turnover : 0; }
+
+private:
+    bool started_ = false;
+};
+
+} // namespace plash

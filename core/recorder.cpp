@@ -1,0 +1,10 @@
+#include "core/recorder.h"
+
+namespace plash {
+
+void Snapshot::collect(ElementResults& results) const
+{
+    for (const auto& term : terms) term->collect(state, results);
+}
+
+} // namespace plash

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "math/symmetric_tensor.h"
+#include "math/vector3.h"
+#include "model/record.h"
+
+#include <array>
+#include <vector>
+
+namespace plash {
+
+/// What element terms hand to recorders on demand, by the Model's element order. A recorder sizes the arrays
+/// that it wants; terms fill those that are not empty.
+struct ElementResults {
+    using Stress = SymmetricTensor<double>;
+
+    /// Row of each element (by the Model's order) in the arrays below, `none` where the recorder does not
+    /// want the element. Empty: every element is wanted and its row is its own index.
+    std::vector<Index> shell_rows;
+    std::vector<Index> solid_rows;
+
+    Index row_of_shell(Index shell) const { return shell_rows.empty() ? shell : shell_rows[shell]; }
+    Index row_of_solid(Index solid) const { return solid_rows.empty() ? solid : solid_rows[solid]; }
+
+    /// Shells carry their through-thickness points as `shell_layers` rows an element, from bottom to top.
+    /// With three layers (LS-DYNA's MAXINT = 3) they are the middle, the innermost and the outermost
+    /// integration point.
+    int shell_layers = 0;
+    std::vector<Stress> shell_stress;         ///< element x layer, global axes [stress]
+    std::vector<double> shell_plastic_strain; ///< element x layer [-]
+    /// Mxx Myy Mxy Qx Qy Nxx Nyy Nxy in local axes [force], [force/length] as in LS-DYNA's elout
+    std::vector<std::array<double, 8>> shell_resultants;
+    std::vector<double> shell_thickness;       ///< [length]
+    std::vector<double> shell_internal_energy; ///< density in the d3plot sense: [energy/volume]
+
+    std::vector<Stress> solid_stress;         ///< global axes [stress]
+    std::vector<double> solid_plastic_strain; ///< [-]
+
+    std::vector<std::uint8_t> shell_deleted; ///< 1: eroded
+    std::vector<std::uint8_t> solid_deleted;
+
+    /// By part of the Model: mass, kinetic energy and momentum of the element masses, and what eroded
+    /// elements of the part held when they went.
+    struct PartMotion {
+        double mass = 0, kinetic = 0;
+        double momentum[3] = {0, 0, 0};
+        double eroded_internal = 0, eroded_kinetic = 0; ///< [energy]
+    };
+    std::vector<PartMotion> part_motion;
+
+    /// Force of the nodes on each rigid wall; `normal` is its share against the wall's normal [force].
+    struct WallForce {
+        Id wall = 0;
+        double normal = 0;
+        Vec3 force{};
+        double energy = 0; ///< taken out of the motion so far [energy]
+    };
+    std::vector<WallForce> walls; ///< appended by the walls' terms
+
+    /// Force and moment of a support, a load or a driven motion on a node, or of a driven motion on a whole
+    /// rigid part (then `node` is none). A node held or driven several times has several entries.
+    struct BoundaryForce {
+        Index node = none;
+        Index rigid_part = none;
+        Vec3 force{}, moment{};
+        double energy = 0; ///< put in so far; 0 for supports [energy]
+    };
+    bool boundary_forces_wanted = false; ///< the three lists below are filled only then
+    std::vector<BoundaryForce> supports; ///< appended by the fixities' term
+    std::vector<BoundaryForce> loads;    ///< appended by the nodal loads' term
+    std::vector<BoundaryForce> motions;  ///< appended by the prescribed motions' and the rigid bodies' terms
+
+    /// Forces and energies of one contact (*CONTACT_...).
+    struct ContactForce {
+        Id contact = 0;
+        bool two_sides = true;                ///< false: single surface, whose resultants say nothing
+        Vec3 slave_force{}, master_force{};   ///< on each side at n [force]
+        Vec3 slave_moment{}, master_moment{}; ///< about the origin [moment]
+        double slave_mass = 0, master_mass = 0;
+        double slave_energy = 0, master_energy = 0; ///< taken out of the motion of each side so far [energy]
+        double friction_energy = 0;                 ///< the part of both that friction has taken
+    };
+    std::vector<ContactForce> contacts; ///< appended by the contacts' terms, in deck order
+
+    /// Force of all contacts on each node, summed by the contacts' terms; empty unless wanted [force].
+    std::vector<Vec3> contact_force;
+
+    /// By node: change of the velocity from n-1/2 to n+1/2 over that span [length/time^2]. Recorders put in
+    /// force / mass; terms that move nodes themselves (rigid bodies) overwrite the entries of their nodes.
+    std::vector<Vec3> acceleration;
+    std::vector<Vec3> angular_acceleration; ///< [1/time^2], only with rotations
+};
+
+} // namespace plash

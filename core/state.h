@@ -1,0 +1,37 @@
+#pragma once
+
+#include "math/vector3.h"
+#include "model/record.h"
+
+#include <vector>
+
+namespace plash {
+
+/// Nodal arrays, one entry a node in the Model's order. Central difference in LS-DYNA's staggering: positions
+/// and forces at step n, velocities at n - 1/2 until the loop advances them to n + 1/2.
+/// The rotational arrays are empty unless some element of the scene has rotational freedoms.
+struct State {
+    std::vector<Vec3> position; ///< [length]
+    std::vector<Vec3> velocity; ///< [velocity]
+    std::vector<Vec3> force;    ///< [force], sum of all terms in this cycle
+    std::vector<double> mass;   ///< [mass]; 0: the loop does not move the node (nobody or a rigid body does)
+
+    std::vector<Vec3> angular_velocity; ///< [1/time]
+    std::vector<Vec3> moment;           ///< [moment]
+    std::vector<double> inertia;        ///< [mass length^2], isotropic
+
+    /// Elements deleted so far, by the Model's order (1: gone); empty until something may erode. Whoever
+    /// deletes an element marks it here and raises `deletions`, so that contacts see their surfaces change.
+    std::vector<std::uint8_t> deleted_shells, deleted_solids;
+    long deletions = 0;
+
+    std::size_t size() const { return position.size(); }
+    bool rotational() const { return !angular_velocity.empty(); }
+
+    /// Zeroes force and moment.
+    void clear_forces();
+    /// Allocates the rotational arrays if they are not there yet.
+    void need_rotation();
+};
+
+} // namespace plash

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "elements/shell_fully_integrated.h"
+#include "elements/shell_group.h"
+#include "elements/shell_group_makers.h"
+#include "elements/shell_settings.h"
+#include "elements/shell_triangle.h"
+
+namespace plash {
+
+/// The group of a part whose material record is read as Law.
+template <class Law>
+std::unique_ptr<Term> make_shells_of_law(const ShellPart& part, ShellFormulation formulation, State& state)
+{
+    const Model& model = part.model;
+    Law law = Law::from_record(model.materials[model.parts[part.part].material], model);
+    ShellSettings settings =
+        shell_settings(model, part.part, law.density, law.young_modulus, law.poisson_ratio);
+    if constexpr (requires { law.failure_strain; }) settings.points_fail = law.failure_strain > 0;
+    if constexpr (requires { law.shortest_step; }) {
+        const double length = law.shortest_step * settings.wave_speed;
+        settings.shortest_squared_length = length * length;
+    }
+    const auto make = [&]<class Formulation>(Formulation) -> std::unique_ptr<Term> {
+        return std::make_unique<ShellGroup<Formulation, Law>>(part, state, std::move(settings),
+                                                              std::move(law));
+    };
+    switch (formulation) {
+    case ShellFormulation::belytschko_tsay:
+        return make(BelytschkoTsay{});
+    case ShellFormulation::triangle:
+        return make(C0Triangle{});
+    case ShellFormulation::fully_integrated:
+        return make(FullyIntegratedShell{});
+    }
+    return nullptr;
+}
+
+} // namespace plash

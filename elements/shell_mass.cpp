@@ -1,0 +1,56 @@
+#include "elements/shell_mass.h"
+
+#include <algorithm>
+
+namespace plash {
+
+std::array<Index, 4> shell_corners(const Model& model, Index element)
+{
+    std::array<Index, 4> nodes = model.shells.nodes[element];
+    for (int turn = 0; turn < 4 && nodes[2] != nodes[3]; ++turn) {
+        const bool repeats = nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[3] == nodes[0];
+        if (!repeats) break;
+        std::rotate(nodes.begin(), nodes.begin() + 1, nodes.end());
+    }
+    return nodes;
+}
+
+double shell_thickness(const Model& model, Index element)
+{
+    if (!model.shells.thickness.empty() && model.shells.thickness[element][0] > 0) {
+        const std::array<double, 4>& corner = model.shells.thickness[element];
+        // Corners that the deck leaves empty have the thickness of the first.
+        double sum = 0;
+        for (double value : corner) sum += value > 0 ? value : corner[0];
+        return 0.25 * sum;
+    }
+    const Record& section = model.sections[model.parts[model.shells.part[element]].section];
+    const double first = section.real("T1");
+    double sum = 0;
+    for (const char* name : {"T1", "T2", "T3", "T4"}) {
+        const double value = section.real(name);
+        sum += value > 0 ? value : first;
+    }
+    return 0.25 * sum;
+}
+
+ShellMass shell_mass(const Model& model, Index element)
+{
+    const std::array<Index, 4> nodes = shell_corners(model, element);
+    const auto at = [&](int corner) { return model.nodes.position[nodes[corner]]; };
+    const Part& part = model.parts[model.shells.part[element]];
+    ShellMass result;
+    result.area = 0.5 * norm(cross(at(2) - at(0), at(3) - at(1)));
+    result.thickness = shell_thickness(model, element);
+    const double per_area = model.materials[part.material].real("RO") * result.thickness +
+                            model.sections[part.section].real("MAREA");
+    const bool triangle = nodes[2] == nodes[3];
+    for (int corner = 0; corner < (triangle ? 3 : 4); ++corner) {
+        result.corner_mass[corner] = per_area * result.area / (triangle ? 3 : 4);
+    }
+    const double own = result.thickness * result.thickness / 12;
+    result.squared_gyration = std::max(own, result.area / 8);
+    return result;
+}
+
+} // namespace plash

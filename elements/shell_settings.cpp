@@ -1,0 +1,122 @@
+#include "elements/shell_settings.h"
+
+#include "materials/parameters.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace plash {
+
+namespace {
+
+void read_section(const Record& section, ShellSettings& settings)
+{
+    const Id points = section.integer("NIP") == 0 ? 2 : section.integer("NIP");
+    if (points < 1 || points > 10) {
+        reject_field(section, "NIP", fmt::format("{} is not a number of points from 1 to 10", points));
+    }
+    const double rule = section.real("QR/IRID");
+    if (rule != 0 && rule != 1) {
+        reject_field(section, "QR/IRID",
+                     fmt::format("integration rule {} is not supported (0: Gauss, 1: trapezoidal)", rule));
+    }
+    if (section.integer("ICOMP") != 0) {
+        reject_field(section, "ICOMP", "layers with their own material angles are not supported");
+    }
+    settings.rule = rule == 1 && points > 1 ? trapezoidal_rule(static_cast<int>(points))
+                                            : gauss_rule(static_cast<int>(points));
+    settings.shear_factor = section.real("SHRF", 1.0);
+    if (settings.shear_factor == 0) settings.shear_factor = 1; // empty field
+    settings.reference_offset = section.real("NLOC");
+}
+
+ShellHourglass read_hourglass(const Model& model, const Part& part)
+{
+    const ElementControls& controls = model.controls.elements;
+    ShellHourglass result;
+    Id type = controls.hourglass_type;
+    result.membrane = result.bending = result.warping = controls.hourglass_coefficient;
+    if (part.hourglass != none) {
+        const Record& record = model.hourglass[part.hourglass];
+        if (record.integer("IHQ") != 0) type = record.integer("IHQ");
+        result.membrane = record.real("QM");
+        if (result.membrane == 0) result.membrane = 0.1;
+        result.bending = record.given("QB/VDC") ? record.real("QB/VDC") : result.membrane;
+        result.warping = record.given("QW") ? record.real("QW") : result.membrane;
+        if (type < 0 || type > 5) {
+            reject_field(record, "IHQ",
+                         fmt::format("hourglass control {} is not supported for shells (1 to 5)", type));
+        }
+    }
+    // Types 6 and above in *CONTROL_HOURGLASS speak of solids; shells then keep the stiffness form.
+    result.kind = type <= 3 ? ShellHourglass::Kind::viscous : ShellHourglass::Kind::stiffness;
+    return result;
+}
+
+} // namespace
+
+ThicknessRule gauss_rule(int points)
+{
+    ThicknessRule rule;
+    for (int point = 0; point < points; ++point) {
+        // Newton's method on the Legendre polynomial from Chebyshev's estimate of its zeros.
+        double x = -std::cos(std::numbers::pi * (point + 0.75) / (points + 0.5));
+        double slope = 0;
+        for (int iteration = 0; iteration < 50; ++iteration) {
+            double value = 1, before = 0;
+            for (int degree = 1; degree <= points; ++degree) {
+                const double next = ((2 * degree - 1) * x * value - (degree - 1) * before) / degree;
+                before = value;
+                value = next;
+            }
+            slope = points * (x * value - before) / (x * x - 1);
+            const double change = value / slope;
+            x -= change;
+            if (std::abs(change) < 1e-16) break;
+        }
+        if (2 * point + 1 == points) x = 0;
+        rule.place.push_back(x);
+        rule.weight.push_back(1 / ((1 - x * x) * slope * slope));
+    }
+    return rule;
+}
+
+ThicknessRule trapezoidal_rule(int points)
+{
+    ThicknessRule rule;
+    const double spacing = 2.0 / (points - 1);
+    for (int point = 0; point < points; ++point) {
+        const bool end = point == 0 || point == points - 1;
+        rule.place.push_back(-1 + point * spacing);
+        rule.weight.push_back((end ? 0.25 : 0.5) * spacing);
+    }
+    return rule;
+}
+
+ShellSettings shell_settings(const Model& model, Index part_index, double density, double young_modulus,
+                             double poisson_ratio)
+{
+    const Part& part = model.parts[part_index];
+    const ElementControls& controls = model.controls.elements;
+    ShellSettings settings;
+    if (part.section == none) {
+        throw DeckError(part.where, fmt::format("*PART {} has shells but no *SECTION_SHELL", part.id));
+    }
+    read_section(model.sections[part.section], settings);
+    settings.hourglass = read_hourglass(model, part);
+    settings.thickness_change = controls.thickness_change == 1;
+    settings.warping = controls.warping == 1;
+    settings.length_rule = model.controls.time.shell_length_rule;
+    settings.density = density;
+    settings.poisson_ratio = poisson_ratio;
+    settings.wave_speed = std::sqrt(young_modulus / (density * (1 - poisson_ratio * poisson_ratio)));
+    settings.stiffness = {young_modulus, young_modulus / (2 * (1 + poisson_ratio)), settings.shear_factor,
+                          density * settings.wave_speed};
+    settings.bulk_viscosity = controls.bulk_viscosity_type == -1 || controls.bulk_viscosity_type == -2;
+    settings.quadratic_viscosity = controls.quadratic_viscosity;
+    settings.linear_viscosity = controls.linear_viscosity;
+    return settings;
+}
+
+} // namespace plash

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "elements/shell_kernel.h"
+#include "model/model.h"
+
+namespace plash {
+
+/// Gauss-Legendre rule with 1 to 10 points on [-1, 1], weights summing to one.
+ThicknessRule gauss_rule(int points);
+/// Equally spaced points from surface to surface with trapezoidal weights (QR/IRID = 1); 2 points or more.
+ThicknessRule trapezoidal_rule(int points);
+
+/// Reads and checks what *SECTION_SHELL, *HOURGLASS and the controls say for the shells of a part.
+/// young_modulus, poisson_ratio  of its law
+/// Throws a DeckError that names keyword and field for what is not supported.
+ShellSettings shell_settings(const Model& model, Index part, double density, double young_modulus,
+                             double poisson_ratio);
+
+} // namespace plash

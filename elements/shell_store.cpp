@@ -1,0 +1,320 @@
+#include "elements/shell_store.h"
+
+#include "core/run_error.h"
+#include "elements/shell_mass.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace plash {
+
+namespace {
+
+constexpr int patch_length = 256; // elements; its node copies and records stay in second-level cache
+
+Patches cut_shells(const ShellPart& part, const State& state)
+{
+    std::vector<Index> connectivity;
+    connectivity.reserve(4 * part.elements.size());
+    for (Index element : part.elements) {
+        for (Index node : shell_corners(part.model, element)) connectivity.push_back(node);
+    }
+    return Patches(4, part.elements, connectivity, state.position, patch_length);
+}
+
+/// Frame of an element at the positions of the state.
+ShellFrame<double> frame_of(const Model& model, const State& state, Index element)
+{
+    const std::array<Index, 4> nodes = shell_corners(model, element);
+    Vec3 corner[4];
+    for (int i = 0; i < 4; ++i) corner[i] = state.position[nodes[i]];
+    return shell_frame(pattern_of(corner[0], corner[1], corner[2], corner[3]));
+}
+
+/// Least rotary inertia over mass with which shear waves stay stable at the step of the plate wave, also
+/// where nodes carry half their plate mass (a strip one element wide): its highest frequency obeys omega^2 <=
+/// kappa G / rho (4 / l^2 + 1 / r^2), from the one-point shear energy of Belytschko, Lin & Tsay.
+double least_squared_gyration(const ShellSettings& settings, double step_scale, double length_squared)
+{
+    const ShellStiffness& stiffness = settings.stiffness;
+    const double shear = stiffness.shear_factor * stiffness.shear_modulus;
+    const double plate = stiffness.wave_impedance * settings.wave_speed;
+    const double margin = plate / (step_scale * step_scale * shear) - 1;
+    // Without margin the step would have to shrink whatever the inertia; no law has such moduli.
+    return margin > 0 ? 0.25 * length_squared / margin : 0;
+}
+
+/// Square of the length that an element's step is made of, at the positions of the state.
+double squared_length_of(const Model& model, const State& state, Index element, int length_rule)
+{
+    const std::array<Index, 4> nodes = shell_corners(model, element);
+    Vec3 corner[4];
+    for (int i = 0; i < 4; ++i) corner[i] = state.position[nodes[i]];
+    const CornerPattern<double> position = pattern_of(corner[0], corner[1], corner[2], corner[3]);
+    return squared_length(position, shell_frame(position).area, length_rule);
+}
+
+/// Components in global axes of a tensor given in a frame.
+SymmetricTensor<double> to_global(const ShellFrame<double>& frame, const SymmetricTensor<double>& local)
+{
+    const Vec3 row1 = local.xx * frame.e1 + local.xy * frame.e2 + local.zx * frame.e3;
+    const Vec3 row2 = local.xy * frame.e1 + local.yy * frame.e2 + local.yz * frame.e3;
+    const Vec3 row3 = local.zx * frame.e1 + local.yz * frame.e2 + local.zz * frame.e3;
+    const auto component = [&](double Vec3::*a, double Vec3::*b) {
+        return frame.e1.*a * row1.*b + frame.e2.*a * row2.*b + frame.e3.*a * row3.*b;
+    };
+    return {component(&Vec3::x, &Vec3::x), component(&Vec3::y, &Vec3::y), component(&Vec3::z, &Vec3::z),
+            component(&Vec3::x, &Vec3::y), component(&Vec3::y, &Vec3::z), component(&Vec3::z, &Vec3::x)};
+}
+
+/// The points whose mean a result layer shows. As many layers as points: one each, from the bottom; three
+/// layers: middle, innermost, outermost (*DATABASE_EXTENT_BINARY MAXINT = 3); otherwise the first points.
+/// A layer without a point is empty (first > last).
+std::pair<int, int> points_of_layer(int layer, int layers, int points)
+{
+    if (layers == 3 && points != 3) {
+        if (layer == 0) return {(points - 1) / 2, points / 2};
+        const int point = layer == 1 ? 0 : points - 1;
+        return {point, point};
+    }
+    if (layers == 3) {
+        constexpr int order[] = {1, 0, 2};
+        return {order[layer], order[layer]};
+    }
+    return layer < points ? std::pair{layer, layer} : std::pair{0, -1};
+}
+
+} // namespace
+
+ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings its_settings, int plane_points,
+                       std::span<const double> initial_history, Index plastic_strain)
+    : model(its.model),
+      part(its.part),
+      settings(std::move(its_settings)),
+      patches(cut_shells(its, state)),
+      sums(patches.patches.size()),
+      plane_points_(plane_points),
+      point_size_(shell_record::history + static_cast<int>(initial_history.size())),
+      plastic_strain_(plastic_strain)
+{
+    using namespace shell_record;
+    const int point_count = plane_points_ * settings.rule.size();
+    record_size_ = points + static_cast<std::size_t>(point_count) * point_size_;
+    records_.resize(patches.batch_count() * record_size_);
+    for (Index batch = 0; batch < patches.batch_count(); ++batch) {
+        Lanes* values = record(batch);
+        values[mass_factor] = broadcast<Lanes>(1.0);
+        for (int lane = 0; lane < lane_count; ++lane) {
+            values[thickness][lane] = shell_thickness(model, patches.elements[batch * lane_count + lane]);
+        }
+        for (int point = 0; point < point_count; ++point) {
+            Lanes* variables = values + points + point * point_size_ + history;
+            for (double start : initial_history) *variables++ = broadcast<Lanes>(start);
+        }
+    }
+}
+
+void ShellStore::erode(Index place, PatchSums& patch_sums, State& state)
+{
+    using namespace shell_record;
+    Lanes* values = record(place / lane_count);
+    const int lane = place % lane_count;
+    patch_sums.internal -= values[internal_energy][lane];
+    patch_sums.hourglass -= values[hourglass_energy][lane];
+    eroded_internal_ += values[internal_energy][lane];
+    eroded_hourglass_ += values[hourglass_energy][lane];
+    values[mass_factor][lane] = 0;
+    state.deleted_shells.resize(model.shells.size());
+    state.deleted_shells[patches.elements[place]] = 1;
+    ++state.deletions;
+}
+
+void ShellStore::close_cycle(State& state)
+{
+    check_finite();
+    for (PatchSums& patch : sums) {
+        for (Index place : patch.lost) erode(place, patch, state);
+        patch.lost.clear();
+    }
+}
+
+double ShellStore::add_mass(Index element, double factor, State& state) const
+{
+    const ShellMass share = shell_mass(model, element);
+    const double length = squared_length_of(model, state, element, settings.length_rule);
+    const double gyration = std::max(
+        share.squared_gyration, least_squared_gyration(settings, model.controls.time.step_scale, length));
+    const std::array<Index, 4> nodes = shell_corners(model, element);
+    double added = 0;
+    for (int corner = 0; corner < 4; ++corner) {
+        const double mass = factor * share.corner_mass[corner];
+        state.mass[nodes[corner]] += mass;
+        state.inertia[nodes[corner]] += gyration * mass;
+        added += mass;
+    }
+    return added;
+}
+
+void ShellStore::add_masses(State& state) const
+{
+    for (Index i = 0; i < patches.element_count; ++i) add_mass(patches.elements[i], 1, state);
+}
+
+double ShellStore::scale_mass(double step, bool only_small, State& state)
+{
+    double added = 0;
+    for (Index batch = 0; batch < patches.batch_count(); ++batch) {
+        Lanes& factors = record(batch)[shell_record::mass_factor];
+        for (int lane = 0; lane < lane_count; ++lane) {
+            const Index element = patches.elements[batch * lane_count + lane];
+            const double length = std::sqrt(squared_length_of(model, state, element, settings.length_rule));
+            const double ratio = step * settings.wave_speed / length;
+            if (only_small && ratio <= 1) continue;
+            factors[lane] = ratio * ratio;
+            if (lane < patches.active_lanes(batch)) added += add_mass(element, factors[lane] - 1, state);
+        }
+    }
+    return added;
+}
+
+StepVote ShellStore::vote() const
+{
+    const PatchSums* shortest = nullptr;
+    for (const PatchSums& patch : sums) {
+        if (!shortest || patch.squared_length < shortest->squared_length) shortest = &patch;
+    }
+    if (!shortest || shortest->squared_length >= eroded_length) return StepVote::nothing();
+    return {std::sqrt(shortest->squared_length) / settings.wave_speed, "shell",
+            model.shells.id[patches.elements[shortest->place]], model.parts[part].id};
+}
+
+void ShellStore::report(EnergyLedger& ledger) const
+{
+    PatchSums total;
+    for (const PatchSums& patch : sums) {
+        total.internal += patch.internal;
+        total.hourglass += patch.hourglass;
+        total.viscous += patch.viscous;
+    }
+    ledger.add_part(part, total.internal, total.hourglass);
+    ledger.bulk_viscosity += total.viscous;
+    ledger.eroded_internal += eroded_internal_;
+    ledger.eroded_hourglass += eroded_hourglass_;
+}
+
+void ShellStore::check_finite() const
+{
+    bool finite = true;
+    for (const PatchSums& patch : sums) finite = finite && std::isfinite(patch.internal + patch.hourglass);
+    if (finite) return;
+    for (Index batch = 0; batch < patches.batch_count(); ++batch) {
+        const Lanes energy =
+            record(batch)[shell_record::internal_energy] + record(batch)[shell_record::hourglass_energy];
+        for (int lane = 0; lane < patches.active_lanes(batch); ++lane) {
+            if (std::isfinite(energy[lane])) continue;
+            const Index element = patches.elements[batch * lane_count + lane];
+            const Vec3& place = model.nodes.position[model.shells.nodes[element][0]];
+            throw RunError(fmt::format("shell {} of part {} '{}' has energies that are no finite numbers (it "
+                                       "started near ({:.6g}, {:.6g}, {:.6g}))",
+                                       model.shells.id[element], model.parts[part].id,
+                                       model.parts[part].title, place.x, place.y, place.z));
+        }
+    }
+}
+
+void ShellStore::collect(const State& state, ElementResults& results) const
+{
+    for (Index batch = 0; batch < patches.batch_count(); ++batch) {
+        for (int lane = 0; lane < patches.active_lanes(batch); ++lane) {
+            collect_element(state, batch, lane, results);
+            collect_motion(state, batch, lane, results);
+        }
+    }
+    if (!results.part_motion.empty()) results.part_motion[part].eroded_internal += eroded_internal_;
+}
+
+void ShellStore::collect_element(const State& state, Index batch, int lane, ElementResults& results) const
+{
+    using namespace shell_record;
+    const Index element = patches.elements[batch * lane_count + lane];
+    const Index row = results.row_of_shell(element);
+    if (row == none) return;
+    const Lanes* values = record(batch);
+    // Mean over the columns of an element.
+    const auto point_value = [&](int point, int variable) {
+        double sum = 0;
+        for (int column = 0; column < plane_points_; ++column) {
+            sum += values[points + (column * settings.rule.size() + point) * point_size_ + variable][lane];
+        }
+        return sum / plane_points_;
+    };
+    const bool deleted = values[mass_factor][lane] == 0;
+    if (!results.shell_deleted.empty()) results.shell_deleted[row] = deleted;
+    if (!results.shell_thickness.empty()) results.shell_thickness[row] = values[thickness][lane];
+    if (!results.shell_internal_energy.empty()) {
+        const ShellMass start = shell_mass(model, element);
+        results.shell_internal_energy[row] = values[internal_energy][lane] / (start.area * start.thickness);
+    }
+    const bool stress_wanted = !results.shell_stress.empty();
+    const bool strain_wanted = !results.shell_plastic_strain.empty() && plastic_strain_ != none;
+    if (!deleted && (stress_wanted || strain_wanted)) {
+        const ShellFrame<double> frame = frame_of(model, state, element);
+        for (int layer = 0; layer < results.shell_layers; ++layer) {
+            const auto [first, last] = points_of_layer(layer, results.shell_layers, settings.rule.size());
+            SymmetricTensor<double> stress;
+            double plastic_strain = 0;
+            for (int point = first; point <= last; ++point) {
+                const double share = 1.0 / (last - first + 1);
+                const SymmetricTensor<double> one{point_value(point, stress_xx),
+                                                  point_value(point, stress_yy),
+                                                  0,
+                                                  point_value(point, stress_xy),
+                                                  point_value(point, stress_yz),
+                                                  point_value(point, stress_zx)};
+                stress = stress + share * one;
+                if (strain_wanted) plastic_strain += share * point_value(point, history + plastic_strain_);
+            }
+            const std::size_t place = static_cast<std::size_t>(row) * results.shell_layers + layer;
+            if (stress_wanted) results.shell_stress[place] = to_global(frame, stress);
+            if (strain_wanted) results.shell_plastic_strain[place] = plastic_strain;
+        }
+    }
+    if (deleted || results.shell_resultants.empty()) return;
+    ShellResultants<double> sum;
+    const double thickness_now = values[thickness][lane];
+    for (int point = 0; point < settings.rule.size(); ++point) {
+        const double z = 0.5 * thickness_now * (settings.rule.place[point] - settings.reference_offset);
+        const double force = settings.rule.weight[point] * thickness_now;
+        sum.nxx += force * point_value(point, stress_xx);
+        sum.nyy += force * point_value(point, stress_yy);
+        sum.nxy += force * point_value(point, stress_xy);
+        sum.qx += settings.shear_factor * force * point_value(point, stress_zx);
+        sum.qy += settings.shear_factor * force * point_value(point, stress_yz);
+        sum.mxx += z * force * point_value(point, stress_xx);
+        sum.myy += z * force * point_value(point, stress_yy);
+        sum.mxy += z * force * point_value(point, stress_xy);
+    }
+    results.shell_resultants[row] = {sum.mxx, sum.myy, sum.mxy, sum.qx, sum.qy, sum.nxx, sum.nyy, sum.nxy};
+}
+
+void ShellStore::collect_motion(const State& state, Index batch, int lane, ElementResults& results) const
+{
+    if (results.part_motion.empty()) return;
+    const double factor = record(batch)[shell_record::mass_factor][lane];
+    if (factor == 0) return;
+    const Index element = patches.elements[batch * lane_count + lane];
+    const std::array<Index, 4> nodes = shell_corners(model, element);
+    const ShellMass share = shell_mass(model, element);
+    ElementResults::PartMotion& motion = results.part_motion[part];
+    for (int corner = 0; corner < 4; ++corner) {
+        const double mass = factor * share.corner_mass[corner];
+        const Vec3& velocity = state.velocity[nodes[corner]];
+        motion.mass += mass;
+        motion.kinetic += 0.5 * mass * dot(velocity, velocity);
+        motion.momentum[0] += mass * velocity.x;
+        motion.momentum[1] += mass * velocity.y;
+        motion.momentum[2] += mass * velocity.z;
+    }
+}
+
+} // namespace plash

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/energy_ledger.h"
+#include "core/results.h"
+#include "core/term.h"
+#include "elements/patches.h"
+#include "elements/shell_kernel.h"
+#include "model/model.h"
+
+#include <span>
+#include <vector>
+
+namespace plash {
+
+/// The shells of a part that make one group.
+struct ShellPart {
+    const Model& model;
+    Index part = none;
+    std::vector<Index> elements; ///< of the Model
+};
+
+/// Where the state of a shell group is kept between steps, and what does not depend on the law: energies, the
+/// step vote, erosion, results.
+class ShellStore {
+public:
+    /// Energies of a patch since the start [energy] and its shortest element.
+    struct PatchSums {
+        double internal = 0, hourglass = 0, viscous = 0;
+        double squared_length = 0; ///< smallest of the patch [length^2]
+        Index place = 0;           ///< of that element: batch x lane_count + lane
+        std::vector<Index> lost;   ///< places of elements that go at the end of this cycle
+    };
+
+    /// plane_points     columns of points that an element has
+    /// initial_history  of the law, at the start
+    /// plastic_strain   which history variable is the plastic strain; none: there is none
+    ShellStore(const ShellPart& part, const State& state, ShellSettings settings, int plane_points,
+               std::span<const double> initial_history, Index plastic_strain);
+
+    const Model& model;
+    Index part;
+    ShellSettings settings;
+    Patches patches;
+    std::vector<PatchSums> sums; ///< by patch
+
+    Lanes* record(Index batch) { return records_.data() + static_cast<std::size_t>(batch) * record_size_; }
+    const Lanes* record(Index batch) const
+    {
+        return records_.data() + static_cast<std::size_t>(batch) * record_size_;
+    }
+    std::size_t record_bytes() const { return record_size_ * sizeof(Lanes); } ///< of one batch
+
+    /// To be called after every cycle's patches: takes out the elements that are lost (they give no more
+    /// forces, and their energies stay as eroded) and throws RunError when an energy is no finite number.
+    void close_cycle(State& state);
+
+    /// Adds the masses and rotary inertias of the elements at the start.
+    void add_masses(State& state) const;
+    /// As Term::scale_mass: changes the mass of elements so that their step becomes `step`.
+    double scale_mass(double step, bool only_small, State& state);
+
+    StepVote vote() const;
+    void report(EnergyLedger& ledger) const;
+    void collect(const State& state, ElementResults& results) const;
+
+private:
+    double eroded_internal_ = 0, eroded_hourglass_ = 0; ///< [energy]
+    std::size_t record_size_;
+    int plane_points_;
+    int point_size_;
+    Index plastic_strain_;
+    std::vector<Lanes, CacheAligned<Lanes>> records_;
+
+    void erode(Index place, PatchSums& patch_sums, State& state);
+    void check_finite() const;
+    /// Adds an element's mass and rotary inertia times `factor`; returns the mass.
+    double add_mass(Index element, double factor, State& state) const;
+    void collect_element(const State& state, Index batch, int lane, ElementResults& results) const;
+    void collect_motion(const State& state, Index batch, int lane, ElementResults& results) const;
+};
+
+} // namespace plash

@@ -1,0 +1,296 @@
+#include "elements/solid_group.h"
+
+#include "core/run_error.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+
+namespace plash {
+
+namespace {
+
+constexpr double no_step = std::numeric_limits<double>::infinity();
+
+/// Elements a patch. Long ones share fewer nodes, and 1024 elements with their nodes still stay in
+/// second-level cache (docs/results/speed.md); small meshes are cut finer, so that every thread gets some.
+int patch_length_of(std::size_t elements)
+{
+    const std::size_t sixteenth = elements / (16 * lane_count) * lane_count;
+    return static_cast<int>(std::clamp<std::size_t>(sixteenth, 128, 1024));
+}
+
+/// One in the first `active` lanes, zero in the others.
+Lanes first_lanes(int active)
+{
+    Lanes result{};
+    for (int lane = 0; lane < active; ++lane) result[lane] = 1;
+    return result;
+}
+
+} // namespace
+
+SolidGroup::SolidGroup(SolidSetup setup, const State& state, int history_size, int constant_count,
+                       int plastic_strain_place)
+    : setup_(std::move(setup)),
+      patches_(8, setup_.elements, setup_.connectivity, state.position,
+               patch_length_of(setup_.elements.size())),
+      sums_(patches_.patches.size()),
+      name_(fmt::format("solids of part {}", setup_.model.parts[setup_.part].id)),
+      history_size_(history_size),
+      constant_count_(constant_count),
+      plastic_strain_(plastic_strain_place),
+      history_(static_cast<std::size_t>(patches_.batch_count()) * history_size),
+      constants_(static_cast<std::size_t>(patches_.batch_count()) * constant_count)
+{}
+
+template <class Work>
+void SolidGroup::for_each_element(Work&& work) const
+{
+    for (const Patches::Patch& patch : patches_.patches) {
+        for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
+            for (int lane = 0; lane < patches_.active_lanes(batch); ++lane) {
+                work(patch, static_cast<std::size_t>(batch) * lane_count + lane);
+            }
+        }
+    }
+}
+
+Index SolidGroup::corner(const Patches::Patch& patch, std::size_t place, int corner) const
+{
+    const std::uint16_t* offset = patches_.corner_offsets(static_cast<Index>(place / lane_count), corner);
+    return patches_.nodes[patch.first_node + offset[place % lane_count] / 4];
+}
+
+const Patches::Patch& SolidGroup::patch_of(std::size_t place) const
+{
+    const auto batch = static_cast<Index>(place / lane_count);
+    return *std::prev(
+        std::upper_bound(patches_.patches.begin(), patches_.patches.end(), batch,
+                         [](Index value, const Patches::Patch& patch) { return value < patch.first_batch; }));
+}
+
+std::string SolidGroup::describe(std::size_t place, const std::vector<Vec3>& position) const
+{
+    const Patches::Patch& patch = patch_of(place);
+    Vec3 centre{};
+    for (int i = 0; i < 8; ++i) centre += 0.125 * position[corner(patch, place, i)];
+    const Part& part = setup_.model.parts[setup_.part];
+    return fmt::format("solid {} of part {} '{}' near ({:.6g}, {:.6g}, {:.6g})",
+                       setup_.model.solids.id[element_of(place)], part.id, part.title, centre.x, centre.y,
+                       centre.z);
+}
+
+void SolidGroup::start_batch(Index batch, const Lanes& volume, const State& state)
+{
+    for (int lane = 0; lane < lane_count; ++lane) {
+        if (volume[lane] > 0) continue;
+        const std::size_t place = static_cast<std::size_t>(batch) * lane_count + lane;
+        throw DeckError(setup_.model.parts[setup_.part].where,
+                        fmt::format("{} has the volume {:.6g}: check its node numbering (nodes 1-4 "
+                                    "counter-clockwise as seen from nodes 5-8) and its nodes' positions",
+                                    describe(place, state.position), volume[lane]));
+    }
+    const Lanes reference = volume / setup_.initial_relative_volume;
+    constants_of(batch)[inverse_volume_constant] = 1.0 / reference;
+    constants_of(batch)[mass_constant] = setup_.parameters.density * reference;
+}
+
+SolidGroup::Corners SolidGroup::distinct_corners(const Patches::Patch& patch, std::size_t place) const
+{
+    Corners corners{};
+    for (int i = 0; i < 8; ++i) corners.node[i] = corner(patch, place, i);
+    std::sort(corners.node.begin(), corners.node.end());
+    corners.count =
+        static_cast<int>(std::unique(corners.node.begin(), corners.node.end()) - corners.node.begin());
+    return corners;
+}
+
+SolidModes<Lanes> SolidGroup::start_position(const Patches::Patch& patch, Index batch,
+                                             const State& state) const
+{
+    Vector3<Lanes> corners[8];
+    for (int i = 0; i < 8; ++i) {
+        for (int lane = 0; lane < lane_count; ++lane) {
+            const Vec3& p =
+                state.position[corner(patch, static_cast<std::size_t>(batch) * lane_count + lane, i)];
+            corners[i].x[lane] = p.x;
+            corners[i].y[lane] = p.y;
+            corners[i].z[lane] = p.z;
+        }
+    }
+    return modes_of(corners);
+}
+
+void SolidGroup::finish_start(std::vector<double> first_step, State& state)
+{
+    first_step_ = std::move(first_step);
+    for_each_element([&](const Patches::Patch& patch, std::size_t place) {
+        const Corners corners = distinct_corners(patch, place);
+        const double share = constant_of(place, mass_constant) / corners.count;
+        for (int i = 0; i < corners.count; ++i) state.mass[corners.node[i]] += share;
+    });
+}
+
+double SolidGroup::mass() const
+{
+    double sum = 0;
+    for_each_element(
+        [&](const Patches::Patch&, std::size_t place) { sum += constant_of(place, mass_constant); });
+    return sum;
+}
+
+double SolidGroup::scale_mass(double step, bool only_small, State& state)
+{
+    step_factor_.assign(patches_.batch_count(), broadcast<Lanes>(1));
+    double added = 0;
+    for_each_element([&](const Patches::Patch& patch, std::size_t place) {
+        const double factor = step / first_step_[place];
+        if (only_small && factor <= 1) return;
+        step_factor_[place / lane_count][place % lane_count] = factor;
+        const double extra = (factor * factor - 1) * constant_of(place, mass_constant);
+        added += extra;
+        const Corners corners = distinct_corners(patch, place);
+        for (int i = 0; i < corners.count; ++i) state.mass[corners.node[i]] += extra / corners.count;
+    });
+    return added;
+}
+
+void SolidGroup::learn_smallest_step(const Clock& clock)
+{
+    const TimeControls& control = setup_.model.controls.time;
+    if (clock.cycle != 1 || !control.erode_small_step) return;
+    smallest_step_ = control.smallest_step_factor * clock.last_step / control.step_scale;
+}
+
+void SolidGroup::take(Index batch, SolidResult<Lanes>& result, PatchSum& sum)
+{
+    SolidVote<Lanes>& vote = result.vote;
+    if (!step_factor_.empty()) vote.stable_step *= step_factor_[batch];
+    const LaneMask dead = alive_.empty() ? LaneMask{} : alive_[batch] == 0.0;
+    const LaneMask lost = (vote.inverted | vote.failed | (vote.stable_step < smallest_step_)) & ~dead;
+    const LaneMask silent = dead | lost;
+    if (any(silent)) silence(batch, dead, silent, result);
+    const int active = patches_.active_lanes(batch);
+    const auto place_of = [&](int lane) { return static_cast<std::size_t>(batch) * lane_count + lane; };
+    if (any(lost)) {
+        for (int lane = 0; lane < active; ++lane) {
+            if (lost[lane]) (vote.inverted[lane] ? sum.inverted : sum.lost).push_back(place_of(lane));
+        }
+    }
+    const Lanes* history = history_of(batch);
+    const Lanes counted = active == lane_count ? broadcast<Lanes>(1) : first_lanes(active);
+    sum.internal += counted * history[internal_energy_history];
+    sum.hourglass += counted * history[hourglass_energy_history];
+    sum.viscous += counted * vote.viscous_work;
+    if (any(vote.stable_step < sum.step)) {
+        for (int lane = 0; lane < active; ++lane) {
+            if (vote.stable_step[lane] >= sum.step) continue;
+            sum.step = vote.stable_step[lane];
+            sum.place = place_of(lane);
+        }
+    }
+}
+
+void SolidGroup::silence(Index batch, const LaneMask& dead, const LaneMask& silent,
+                         SolidResult<Lanes>& result)
+{
+    const auto clear = [&](Vector3<Lanes>& force) {
+        force = {silent ? Lanes{} : force.x, silent ? Lanes{} : force.y, silent ? Lanes{} : force.z};
+    };
+    for (auto& force : result.force.linear) clear(force);
+    for (auto& force : result.force.hourglass) clear(force);
+    for (int i = 0; i < history_size_; ++i) history_of(batch)[i] = dead ? Lanes{} : history_of(batch)[i];
+    result.vote.viscous_work = silent ? Lanes{} : result.vote.viscous_work;
+    result.vote.stable_step = silent ? broadcast<Lanes>(no_step) : result.vote.stable_step;
+}
+
+void SolidGroup::erase(std::size_t place, State& state)
+{
+    state.deleted_solids.resize(setup_.model.solids.size());
+    state.deleted_solids[element_of(place)] = 1;
+    ++state.deletions;
+    if (alive_.empty()) alive_.assign(patches_.batch_count(), broadcast<Lanes>(1));
+    const auto batch = static_cast<Index>(place / lane_count);
+    const int lane = static_cast<int>(place % lane_count);
+    Lanes* history = history_of(batch);
+    eroded_internal_ += history[internal_energy_history][lane];
+    eroded_hourglass_ += history[hourglass_energy_history][lane];
+    internal_ -= history[internal_energy_history][lane];
+    hourglass_ -= history[hourglass_energy_history][lane];
+    alive_[batch][lane] = 0;
+    for (int i = 0; i < history_size_; ++i) history[i][lane] = 0;
+}
+
+void SolidGroup::close_cycle(State& state)
+{
+    internal_ = hourglass_ = 0;
+    PatchSum smallest;
+    smallest.step = no_step;
+    for (const PatchSum& sum : sums_) {
+        for (int lane = 0; lane < lane_count; ++lane) {
+            internal_ += sum.internal[lane];
+            hourglass_ += sum.hourglass[lane];
+            viscous_ += sum.viscous[lane];
+        }
+        if (sum.step < smallest.step) {
+            smallest.step = sum.step;
+            smallest.place = sum.place;
+        }
+    }
+    for (const PatchSum& sum : sums_) {
+        if (!sum.inverted.empty() && !setup_.erode_inverted) {
+            throw RunError(describe(sum.inverted.front(), state.position) +
+                           " has no positive volume any more");
+        }
+        for (std::size_t place : sum.inverted) erase(place, state);
+        for (std::size_t place : sum.lost) erase(place, state);
+    }
+    const Part& part = setup_.model.parts[setup_.part];
+    vote_ = smallest.step == no_step ? StepVote::nothing()
+                                     : StepVote{smallest.step, "solid",
+                                                setup_.model.solids.id[element_of(smallest.place)], part.id};
+}
+
+void SolidGroup::report(EnergyLedger& ledger) const
+{
+    ledger.add_part(setup_.part, internal_, hourglass_);
+    ledger.bulk_viscosity += viscous_;
+    ledger.eroded_internal += eroded_internal_;
+    ledger.eroded_hourglass += eroded_hourglass_;
+}
+
+void SolidGroup::collect(const State& state, ElementResults& results) const
+{
+    if (!results.part_motion.empty()) results.part_motion[setup_.part].eroded_internal += eroded_internal_;
+    for_each_element([&](const Patches::Patch& patch, std::size_t place) {
+        const Lanes* history = &history_[place / lane_count * history_size_];
+        const int lane = static_cast<int>(place % lane_count);
+        const Index row = results.row_of_solid(static_cast<Index>(element_of(place)));
+        const bool wanted = row != none;
+        if (wanted && !results.solid_stress.empty()) {
+            results.solid_stress[row] = {history[0][lane], history[1][lane], history[2][lane],
+                                         history[3][lane], history[4][lane], history[5][lane]};
+        }
+        if (wanted && !results.solid_plastic_strain.empty()) {
+            results.solid_plastic_strain[row] =
+                plastic_strain_ < 0 ? 0 : history[point_history + plastic_strain_][lane];
+        }
+        if (wanted && !results.solid_deleted.empty()) results.solid_deleted[row] = !is_alive(place);
+        if (results.part_motion.empty() || !is_alive(place)) return;
+        auto& motion = results.part_motion[setup_.part];
+        const double mass = constant_of(place, mass_constant);
+        motion.mass += mass;
+        const Corners corners = distinct_corners(patch, place);
+        for (int i = 0; i < corners.count; ++i) {
+            const Vec3& velocity = state.velocity[corners.node[i]];
+            const double share = mass / corners.count;
+            motion.kinetic += 0.5 * share * dot(velocity, velocity);
+            motion.momentum[0] += share * velocity.x;
+            motion.momentum[1] += share * velocity.y;
+            motion.momentum[2] += share * velocity.z;
+        }
+    });
+}
+
+} // namespace plash

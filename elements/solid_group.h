@@ -1,0 +1,119 @@
+#pragma once
+
+#include "core/term.h"
+#include "elements/patches.h"
+#include "elements/solid_step.h"
+#include "model/model.h"
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace plash {
+
+/// What a group of one-point solids is made from.
+struct SolidSetup {
+    const Model& model;
+    Index part = none;
+    std::vector<Index> elements;     ///< of the Model
+    std::vector<Index> connectivity; ///< eight State indices an element; degenerate shapes repeat nodes
+    SolidGradientRule rule = SolidGradientRule::centre;
+    SolidParameters parameters;
+    double initial_relative_volume = 1; ///< volume at the start over reference volume
+    bool erode_inverted = false;        ///< delete elements without volume instead of stopping the run
+};
+
+/// Everything of a group of one-point solids that does not depend on the material: elements, history,
+/// energies, votes, loss of elements. SolidOnePoint adds the step itself.
+class SolidGroup : public Term {
+public:
+    std::string_view name() const override { return name_; }
+    std::size_t items() const override { return static_cast<std::size_t>(patches_.element_count); }
+    StepVote stable_step() const override { return vote_; }
+    double scale_mass(double step, bool only_small, State&) override;
+    void report(EnergyLedger&) const override;
+    void collect(const State&, ElementResults&) const override;
+
+    Index part() const { return setup_.part; }
+    /// Mass of all elements, without mass scaling [mass].
+    double mass() const;
+
+protected:
+    /// What a patch sums up in one cycle.
+    struct PatchSum {
+        Lanes internal{}, hourglass{}, viscous{};              ///< [energy]; viscous: of this step alone
+        double step = std::numeric_limits<double>::infinity(); ///< smallest stable step [time]
+        std::size_t place = 0;                                 ///< of the element that wants it
+        std::vector<std::size_t> inverted, lost;               ///< places that have no volume, or have failed
+    };
+
+    SolidGroup(SolidSetup setup, const State& state, int history_size, int constant_count,
+               int plastic_strain_place);
+
+    Lanes* history_of(Index batch) { return &history_[static_cast<std::size_t>(batch) * history_size_]; }
+    Lanes* constants_of(Index batch)
+    {
+        return &constants_[static_cast<std::size_t>(batch) * constant_count_];
+    }
+
+    /// Positions of a batch as modes.
+    SolidModes<Lanes> start_position(const Patches::Patch&, Index batch, const State&) const;
+    /// Sets volume and mass of a batch at the start; DeckError when a volume is not positive.
+    void start_batch(Index batch, const Lanes& volume, const State& state);
+    /// Adds the elements' masses to their corners and keeps their first stable steps, batch x lane.
+    void finish_start(std::vector<double> first_step, State& state);
+
+    /// With *CONTROL_TIMESTEP ERODE, elements are deleted whose step falls below DTMIN times the first step
+    /// of the run, which is known in cycle 1.
+    void learn_smallest_step(const Clock&);
+    /// Takes what a batch has to say into the patch's sum; zeroes the forces of elements that are deleted or
+    /// lost in this cycle.
+    void take(Index batch, SolidResult<Lanes>& result, PatchSum& sum);
+    /// Takes the patch sums into the group; deletes elements, or throws RunError.
+    void close_cycle(State&);
+
+    SolidSetup setup_;
+    Patches patches_;
+    std::vector<PatchSum> sums_; ///< by patch
+
+private:
+    using LaneArray = std::vector<Lanes, CacheAligned<Lanes>>;
+    std::string name_;
+    int history_size_, constant_count_;
+    int plastic_strain_;             ///< which history variable, or -1
+    double smallest_step_ = 0;       ///< elements below it are deleted [time]
+    LaneArray history_;              ///< batch x variable
+    LaneArray constants_;            ///< batch x constant
+    std::vector<double> first_step_; ///< batch x lane, at the start
+    LaneArray step_factor_;          ///< by batch: what mass scaling gains; empty without
+    LaneArray alive_;                ///< by batch: 1, or 0 when deleted; empty while none is
+    StepVote vote_;
+    double internal_ = 0, hourglass_ = 0, viscous_ = 0;
+    double eroded_internal_ = 0, eroded_hourglass_ = 0;
+
+    /// The nodes of an element without repetition.
+    struct Corners {
+        std::array<Index, 8> node;
+        int count;
+    };
+    Index corner(const Patches::Patch&, std::size_t place, int corner) const;
+    Corners distinct_corners(const Patches::Patch&, std::size_t place) const;
+    double constant_of(std::size_t place, SolidConstant constant) const
+    {
+        return constants_[place / lane_count * constant_count_ + constant][place % lane_count];
+    }
+    const Patches::Patch& patch_of(std::size_t place) const;
+    std::size_t element_of(std::size_t place) const { return patches_.elements[place]; }
+    bool is_alive(std::size_t place) const
+    {
+        return alive_.empty() || alive_[place / lane_count][place % lane_count] != 0;
+    }
+    template <class Work>
+    void for_each_element(Work&& work) const;
+    void silence(Index batch, const LaneMask& dead, const LaneMask& silent, SolidResult<Lanes>&);
+    void erase(std::size_t place, State&);
+    std::string describe(std::size_t place, const std::vector<Vec3>& position) const;
+};
+
+} // namespace plash

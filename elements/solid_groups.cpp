@@ -1,0 +1,235 @@
+#include "elements/solid_groups.h"
+
+#include "elements/solid_laws.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace plash {
+
+namespace {
+
+using Corners = std::array<Index, 8>;
+
+/// Material laws that solids can have.
+constexpr struct {
+    std::string_view keyword;
+    SolidGroupMaker make;
+} laws[] = {
+    {"MAT_ELASTIC", make_elastic_solids},
+    {"MAT_PLASTIC_KINEMATIC", make_plastic_kinematic_solids},
+    {"MAT_NULL", make_null_solids},
+    {"MAT_PIECEWISE_LINEAR_PLASTICITY", make_piecewise_linear_solids},
+    {"MAT_MOONEY-RIVLIN_RUBBER", make_rubber_solids},
+};
+
+/// Shapes that need a group of their own.
+enum class Shape { hexahedron, collapsed, tetrahedron };
+
+int distinct_count(Corners nodes)
+{
+    std::sort(nodes.begin(), nodes.end());
+    return static_cast<int>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
+}
+
+/// Tetrahedra, however they repeat nodes, as the collapsed hexahedron a b c c d d d d, whose quadrilaterals
+/// are the triangles of the tetrahedron.
+Corners tetrahedron_of(const Corners& nodes)
+{
+    Corners corner{};
+    int count = 0;
+    for (Index node : nodes) {
+        if (std::find(corner.begin(), corner.begin() + count, node) == corner.begin() + count)
+            corner[count++] = node;
+    }
+    return {corner[0], corner[1], corner[2], corner[2], corner[3], corner[3], corner[3], corner[3]};
+}
+
+Shape shape_of(const Model& model, Index element)
+{
+    const int distinct = distinct_count(model.solids.nodes[element]);
+    if (distinct == 8) return Shape::hexahedron;
+    if (distinct >= 5) return Shape::collapsed;
+    if (distinct == 4) return Shape::tetrahedron;
+    throw DeckError(model.parts[model.solids.part[element]].where,
+                    fmt::format("*ELEMENT_SOLID {} has {} different nodes; a solid has at least 4",
+                                model.solids.id[element], distinct));
+}
+
+double value_or(double value, double fallback)
+{
+    return value != 0 ? value : fallback; // a zero on LS-DYNA's cards asks for the default
+}
+
+/// Hourglass type, its coefficient and the bulk viscosity of a part: from its *HOURGLASS, or from the control
+/// cards.
+void set_viscosities(const Model& model, const Part& part, SolidSetup& setup)
+{
+    const ElementControls& control = model.controls.elements;
+    const Record* record = part.hourglass == none ? nullptr : &model.hourglass[part.hourglass];
+    SolidHourglass& hourglass = setup.parameters.hourglass;
+    BulkViscosity& viscosity = setup.parameters.viscosity;
+    Id type = control.hourglass_type;
+    if (record) {
+        type = record->integer("IHQ");
+        hourglass.coefficient = value_or(record->real("QM"), 0.1);
+        viscosity.quadratic = value_or(record->real("Q1"), 1.5);
+        viscosity.linear = value_or(record->real("Q2"), 0.06);
+        record->integer("IBQ"); // LS-DYNA's solids have the standard bulk viscosity for every value
+    } else {
+        hourglass.coefficient = value_or(control.hourglass_coefficient, 0.1);
+        viscosity.quadratic = value_or(control.quadratic_viscosity, 1.5);
+        viscosity.linear = value_or(control.linear_viscosity, 0.06);
+    }
+    if (type < 0 || type > 6) {
+        const std::string name = record ? fmt::format("*HOURGLASS {}", record->id) : "*CONTROL_HOURGLASS";
+        throw DeckError(
+            record ? record->where : part.where,
+            fmt::format("{}, field IHQ: type {} is not supported for the solids of part {}; there "
+                        "are 1 to 6 (0: 1)",
+                        name, type, part.id));
+    }
+    using Form = SolidHourglass::Form;
+    constexpr Form forms[] = {Form::viscous,   Form::viscous,   Form::viscous,       Form::viscous,
+                              Form::stiffness, Form::stiffness, Form::assumed_strain};
+    hourglass.form = forms[type];
+    hourglass.orthogonal = type >= 2;
+    // LS-DYNA: types 3 and 5 are types 2 and 4 with exact volume integration; 6 is derived for it.
+    setup.rule = type == 3 || type >= 5 ? SolidGradientRule::mean : SolidGradientRule::centre;
+}
+
+/// Degenerate shapes need the exact volume and base vectors orthogonal to linear motion; a tetrahedron has
+/// no hourglass modes, and a wave crosses it along its smallest altitude.
+void adapt_to_shape(Shape shape, SolidSetup& setup)
+{
+    if (shape == Shape::hexahedron) return;
+    setup.rule = SolidGradientRule::mean;
+    setup.parameters.hourglass.orthogonal = true;
+    if (shape != Shape::tetrahedron) return;
+    setup.parameters.hourglass.form = SolidHourglass::Form::none;
+    setup.parameters.length_factor = 3;
+}
+
+void check_formulation(const Model& model, const Part& part, bool only_tetrahedra)
+{
+    if (part.section == none) {
+        throw DeckError(part.where, fmt::format("*PART {} has solids but no section", part.id));
+    }
+    const Record& section = model.sections[part.section];
+    if (section.keyword != "SECTION_SOLID") {
+        throw DeckError(part.where, fmt::format("*PART {} has solids, but its section {} is *{} instead of "
+                                                "*SECTION_SOLID",
+                                                part.id, section.id, section.keyword));
+    }
+    const Id formulation = section.integer("ELFORM", 1);
+    if (formulation == 0 || formulation == 1 || (formulation == 10 && only_tetrahedra)) return;
+    throw DeckError(
+        section.where,
+        fmt::format("*SECTION_SOLID {}, field ELFORM: formulation {} is not supported for part {}; "
+                    "there are 1 (one-point hexahedron, wedge, tetrahedron) and 10 (one-point "
+                    "tetrahedron, for parts of tetrahedra only)",
+                    section.id, formulation, part.id));
+}
+
+const Record& material_of(const Model& model, const Part& part)
+{
+    if (part.material != none) return model.materials[part.material];
+    throw DeckError(part.where, fmt::format("*PART {} has solids but no material", part.id));
+}
+
+void add_part(const Model& model, Index part_index, const std::vector<Index>& elements, State& state,
+              std::vector<std::unique_ptr<SolidGroup>>& groups)
+{
+    const Part& part = model.parts[part_index];
+    const Record& material = material_of(model, part);
+    if (material.keyword == "MAT_RIGID") return;
+    const auto* law = std::find_if(std::begin(laws), std::end(laws),
+                                   [&](const auto& entry) { return entry.keyword == material.keyword; });
+    if (law == std::end(laws)) {
+        throw DeckError(material.where,
+                        fmt::format("*{} {} is not supported for the solids of part {}; solids "
+                                    "have {}",
+                                    material.keyword, material.id, part.id,
+                                    fmt::join(solid_material_keywords(), ", ")));
+    }
+    std::vector<Index> by_shape[3];
+    for (Index element : elements) by_shape[static_cast<int>(shape_of(model, element))].push_back(element);
+    check_formulation(model, part, by_shape[static_cast<int>(Shape::tetrahedron)].size() == elements.size());
+
+    const Record* equation_of_state =
+        part.equation_of_state == none ? nullptr : &model.equations_of_state[part.equation_of_state];
+    for (Shape shape : {Shape::hexahedron, Shape::collapsed, Shape::tetrahedron}) {
+        std::vector<Index>& members = by_shape[static_cast<int>(shape)];
+        if (members.empty()) continue;
+        SolidSetup setup{model, part_index, std::move(members), {}, {}, {}, 1, false};
+        for (Index element : setup.elements) {
+            const Corners& nodes = model.solids.nodes[element];
+            const Corners corners = shape == Shape::tetrahedron ? tetrahedron_of(nodes) : nodes;
+            setup.connectivity.insert(setup.connectivity.end(), corners.begin(), corners.end());
+        }
+        set_viscosities(model, part, setup);
+        adapt_to_shape(shape, setup);
+        // LS-DYNA deletes elements without volume only if both ERODE and DTMIN are set.
+        setup.erode_inverted =
+            model.controls.time.erode_small_step && model.controls.time.smallest_step_factor != 0;
+        groups.push_back(law->make(material, equation_of_state, std::move(setup), state));
+    }
+}
+
+} // namespace
+
+std::vector<std::unique_ptr<SolidGroup>> make_solid_groups(const Model& model, State& state)
+{
+    std::vector<std::vector<Index>> elements(model.parts.size());
+    for (std::size_t element = 0; element < model.solids.size(); ++element) {
+        elements[model.solids.part[element]].push_back(static_cast<Index>(element));
+    }
+    std::vector<std::unique_ptr<SolidGroup>> groups;
+    for (std::size_t part = 0; part < elements.size(); ++part) {
+        if (!elements[part].empty()) add_part(model, static_cast<Index>(part), elements[part], state, groups);
+    }
+    return groups;
+}
+
+std::vector<std::string_view> solid_material_keywords()
+{
+    std::vector<std::string_view> keywords;
+    for (const auto& law : laws) keywords.push_back(law.keyword);
+    keywords.push_back("MAT_RIGID");
+    return keywords;
+}
+
+SolidMasses solid_masses(const Model& model, Index part)
+{
+    const Record& material = material_of(model, model.parts[part]);
+    const double density = material.real("RO");
+    SolidMasses masses;
+    std::vector<double> by_node(model.nodes.size(), 0.0);
+    for (std::size_t element = 0; element < model.solids.size(); ++element) {
+        if (model.solids.part[element] != part) continue;
+        Corners nodes = model.solids.nodes[element];
+        if (shape_of(model, static_cast<Index>(element)) == Shape::tetrahedron) nodes = tetrahedron_of(nodes);
+        Vec3 corner[8];
+        for (int i = 0; i < 8; ++i) corner[i] = model.nodes.position[nodes[i]];
+        const double mass = density * gradient_of<SolidGradientRule::mean>(modes_of(corner)).volume;
+        if (!(mass > 0)) {
+            throw DeckError(
+                model.parts[part].where,
+                fmt::format("solid {} of rigid part {} has the mass {:.6g}: check RO of its material "
+                            "and its node numbering",
+                            model.solids.id[element], model.parts[part].id, mass));
+        }
+        std::sort(nodes.begin(), nodes.end());
+        const auto end = std::unique(nodes.begin(), nodes.end());
+        for (auto node = nodes.begin(); node != end; ++node) by_node[*node] += mass / (end - nodes.begin());
+        masses.total += mass;
+    }
+    for (std::size_t node = 0; node < by_node.size(); ++node) {
+        if (by_node[node] == 0) continue;
+        masses.nodes.push_back(static_cast<Index>(node));
+        masses.mass.push_back(by_node[node]);
+    }
+    return masses;
+}
+
+} // namespace plash

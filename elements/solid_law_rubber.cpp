@@ -1,0 +1,23 @@
+#include "elements/solid_rate_group.h"
+#include "elements/solid_rubber_point.h"
+
+namespace plash {
+
+std::unique_ptr<SolidGroup> make_rubber_solids(const Record& material, const Record* equation_of_state,
+                                               SolidSetup setup, State& state)
+{
+    refuse_equation_of_state(material, equation_of_state, setup);
+    const MooneyRivlin law = MooneyRivlin::from_record(material, setup.model);
+    setup.parameters.density = law.density;
+    setup.parameters.hourglass.shear_modulus = law.shear_modulus();
+    setup.parameters.hourglass.poisson_ratio = law.poisson_ratio;
+    constexpr auto centre = SolidGradientRule::centre, mean = SolidGradientRule::mean;
+    if (setup.rule == centre) {
+        return std::make_unique<SolidOnePoint<RubberPoint<centre>, centre>>(RubberPoint<centre>{law},
+                                                                            std::move(setup), state);
+    }
+    return std::make_unique<SolidOnePoint<RubberPoint<mean>, mean>>(RubberPoint<mean>{law}, std::move(setup),
+                                                                    state);
+}
+
+} // namespace plash

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "elements/solid_group.h"
+
+#include <memory>
+
+namespace plash {
+
+/// Makes the group of a part with one material law: reads the law, completes setup.parameters with its
+/// density and moduli, and instantiates the step. Each stands in a .cpp file of its own, since the kernel is
+/// compiled anew for every law.
+using SolidGroupMaker = std::unique_ptr<SolidGroup> (*)(const Record& material,
+                                                        const Record* equation_of_state, SolidSetup setup,
+                                                        State& state);
+
+std::unique_ptr<SolidGroup> make_elastic_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_plastic_kinematic_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_null_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_piecewise_linear_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_rubber_solids(const Record&, const Record*, SolidSetup, State&);
+
+} // namespace plash

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "elements/solid_step.h"
+#include "materials/mooney_rivlin.h"
+
+namespace plash {
+
+/// Material point of rubber: stress from the deformation gradient between the initial and the present place.
+/// With the centre rule the element's forces are the exact derivative of its strain energy.
+template <SolidGradientRule rule>
+struct RubberPoint {
+    MooneyRivlin law;
+
+    static constexpr int modes = rule == SolidGradientRule::mean ? 6 : 3;
+    static constexpr int history_size = 0;
+    static constexpr int constant_size = 3 * modes; ///< gradient operator at the start over 64 volume
+    static constexpr bool modulus_changes = false;
+    static constexpr bool can_fail = false;
+    static constexpr int plastic_strain = -1;
+
+    template <class Lane>
+    void start(const SolidModes<Lane>& position, Lane*, Lane* constants) const
+    {
+        const SolidGradient<Lane, rule> b = gradient_of<rule>(position);
+        const Lane scale = 1.0 / (64.0 * b.volume);
+        const auto put = [&](int mode, const Vector3<Lane>& value) {
+            Lane* place = constants + point_constants + 3 * mode;
+            place[0] = scale * value.x;
+            place[1] = scale * value.y;
+            place[2] = scale * value.z;
+        };
+        for (int mode = 0; mode < 3; ++mode) put(mode, b.linear[mode]);
+        for (std::size_t mode = 0; mode < b.bilinear.size(); ++mode) put(3 + mode, b.bilinear[mode]);
+    }
+
+    template <class Lane>
+    Lane wave_modulus(const SolidMotion<Lane>& motion, HistoryView<Lane>) const
+    {
+        return law.wave_modulus(deformation(motion));
+    }
+
+    template <class Lane>
+    void update(SymmetricTensor<Lane>& stress, HistoryView<Lane>, const SolidMotion<Lane>& motion) const
+    {
+        stress = law.stress(deformation(motion));
+    }
+
+private:
+    template <class Lane>
+    static Tensor3<Lane> deformation(const SolidMotion<Lane>& motion)
+    {
+        Tensor3<Lane> f;
+        for (int mode = 0; mode < modes; ++mode) {
+            const Lane* c = motion.constants + 3 * mode;
+            const Vector3<Lane>& x =
+                mode < 3 ? motion.position.linear[mode] : motion.position.hourglass[mode - 3];
+            f.add_dyad(x, Vector3<Lane>{c[0], c[1], c[2]});
+        }
+        return f;
+    }
+};
+
+} // namespace plash

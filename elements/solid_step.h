@@ -1,0 +1,183 @@
+#pragma once
+
+#include "elements/bulk_viscosity.h"
+#include "elements/hourglass_solid.h"
+#include "materials/history.h"
+#include "math/lane_roots.h"
+
+namespace plash {
+
+/// What one element group has in common.
+struct SolidParameters {
+    double density = 0;       ///< reference [mass/volume]
+    double length_factor = 1; ///< characteristic length of the step over volume / largest face (3 for tets)
+    BulkViscosity viscosity;
+    SolidHourglass hourglass;
+};
+
+/// Where a solid's variables stand in its history, before those of its material point. Energies are those of
+/// the whole element [energy].
+enum SolidHistory : int {
+    stress_history,          ///< 6 components
+    viscosity_history = 6,   ///< bulk viscosity pressure [stress]
+    internal_energy_history, ///< elastic, plastic and bulk viscosity
+    hourglass_energy_history,
+    hourglass_history, ///< 4 modes x 3 components [force]
+    point_history = hourglass_history + 12,
+};
+
+/// Constants of an element, before those of its material point.
+enum SolidConstant : int {
+    inverse_volume_constant, ///< 1 / reference volume
+    mass_constant,           ///< without mass scaling [mass]
+    point_constants,
+};
+
+/// How a batch of material points has moved over the last step.
+template <class Lane>
+struct SolidMotion {
+    SymmetricTensor<Lane> increment; ///< strain at the middle of the step [-]
+    Tensor3<Lane> rotation;          ///< of the material over the step
+    Lane relative_volume;            ///< volume over reference volume, now
+    Lane volume_change;              ///< of the relative volume over the step
+    Lane mean_viscosity;             ///< bulk viscosity pressure, mean of the step's ends [stress]
+    Lane energy_density; ///< internal energy over reference volume, before the step at first [stress]
+    double time_step;    ///< [time]
+    const SolidModes<Lane>& position;
+    const Lane* constants; ///< of the material point
+};
+
+/// What a batch of elements gives back besides its history.
+template <class Lane>
+struct SolidVote {
+    Lane stable_step;        ///< [time]
+    Lane viscous_work;       ///< of bulk viscosity in this step [energy]
+    MaskOf<Lane> inverted{}; ///< volume is not positive
+    MaskOf<Lane> failed{};   ///< the material has failed
+};
+
+template <class Lane>
+struct SolidResult {
+    SolidModes<Lane> force; ///< on the corners, as modes [force]
+    SolidVote<Lane> vote;
+};
+
+/// One step of a batch of one-point solids (Hallquist 2006, 'Solid elements'; Goudreau & Hallquist 1982;
+/// Flanagan & Belytschko 1981).
+///
+/// Strain and rotation are those of the mid-step geometry, so that rigid rotations of any size strain
+/// nothing and energy is right to second order; forces are those of the geometry at t_n.
+///
+/// point      material point: stress update and wave modulus (elements/solid_points.h)
+/// position   at n [length]
+/// velocity   at n - 1/2 [velocity]
+/// time_step  from n - 1 to n [time]
+/// history    SolidHistory and the point's own, in and out
+/// constants  SolidConstant and the point's own
+template <SolidGradientRule rule, class Lane, class Point>
+inline SolidResult<Lane> solid_step(const Point& point, const SolidParameters& parameters,
+                                    const SolidModes<Lane>& position, const SolidModes<Lane>& velocity,
+                                    double time_step, Lane* history, const Lane* constants)
+{
+    SolidVote<Lane> vote;
+    const Lane step = broadcast<Lane>(time_step);
+
+    // Motion over the step.
+    const SolidModes<Lane> middle = moved(position, -0.5 * time_step, velocity);
+    const SolidGradient<Lane, rule> b_middle = gradient_of<rule>(middle);
+    const SolidGradient<Lane, rule> b = gradient_of<rule>(position);
+    vote.inverted = min(b.volume, b_middle.volume) <= 0.0;
+    // An element without volume is lost in any case; it goes on with its reference volume.
+    const Lane reference_volume = constants[mass_constant] * (1 / parameters.density);
+    const Lane volume_middle = vote.inverted ? reference_volume : b_middle.volume;
+    const Lane volume = vote.inverted ? reference_volume : b.volume;
+    const Lane inverse_both = 1.0 / (volume * volume_middle); // one division for two
+    const Lane inverse_volume = inverse_both * volume_middle;
+    const Tensor3<Lane> gradient = (inverse_both * volume) * volume_gradient(b_middle, velocity);
+    const SymmetricTensor<Lane> strain_rate = symmetric_part(gradient);
+    const Lane expansion = trace(strain_rate);
+    const Lane relative_volume = volume * constants[inverse_volume_constant];
+    const Lane inverse_length = inverse_cube_root(volume);
+
+    SolidMotion<Lane> motion{step * strain_rate,
+                             incremental_rotation((0.5 * step) * axial_vector(gradient)),
+                             relative_volume,
+                             step * expansion * volume_middle * constants[inverse_volume_constant],
+                             {},
+                             history[internal_energy_history] * constants[inverse_volume_constant],
+                             time_step,
+                             position,
+                             constants + point_constants};
+    const HistoryView<Lane> point_variables{history + point_history};
+
+    // Bulk viscosity.
+    Lane wave_modulus = point.wave_modulus(motion, point_variables);
+    Lane sound_speed = sqrt((1.0 / parameters.density) * wave_modulus * relative_volume);
+    const Lane length = volume * inverse_length * inverse_length;
+    const Lane viscosity = parameters.viscosity.pressure(constants[mass_constant] * inverse_volume, length,
+                                                         sound_speed, expansion);
+    motion.mean_viscosity = 0.5 * (viscosity + history[viscosity_history]);
+    history[viscosity_history] = viscosity;
+
+    // Stress, and its work by the trapezoidal rule: nodal forces of both ends on the way between them, to
+    // second order. The old stress stands in its own place, unturned, as its forces did.
+    SymmetricTensor<Lane> stress{history[0], history[1], history[2], history[3], history[4], history[5]};
+    const SymmetricTensor<Lane> stress_before = stress;
+    stress = rotated(stress, motion.rotation);
+    point.update(stress, point_variables, motion);
+    if constexpr (Point::can_fail) vote.failed = point.failed(point_variables, motion);
+    history[0] = stress.xx;
+    history[1] = stress.yy;
+    history[2] = stress.zz;
+    history[3] = stress.xy;
+    history[4] = stress.yz;
+    history[5] = stress.zx;
+    vote.viscous_work = -motion.mean_viscosity * step * expansion * volume_middle;
+    const Lane work = 0.5 * volume_middle * contract(stress_before + stress, motion.increment);
+    history[internal_energy_history] += vote.inverted ? Lane{} : work + vote.viscous_work;
+
+    // Stable step.
+    if constexpr (Point::modulus_changes) {
+        motion.energy_density = history[internal_energy_history] * constants[inverse_volume_constant];
+        wave_modulus = point.wave_modulus(motion, point_variables);
+        sound_speed = sqrt((1.0 / parameters.density) * wave_modulus * relative_volume);
+    }
+    const Lane crossing = parameters.length_factor * volume / sqrt(largest_face_squared(position));
+    vote.stable_step = parameters.viscosity.stable_step(crossing, length, sound_speed, expansion);
+
+    // Forces: stress and viscosity, and what the hourglass forces take out of the linear field.
+    Tensor3<Lane> flux{viscosity - stress.xx, -stress.xy, -stress.zx, -stress.xy,
+                       viscosity - stress.yy, -stress.yz, -stress.zx, -stress.yz,
+                       viscosity - stress.zz};
+    const SolidHourglass& control = parameters.hourglass;
+    if (control.form == SolidHourglass::Form::none) {
+        return {stress_divergence(b, flux), vote};
+    }
+    const HourglassVectors<Lane> rate = hourglass_rates(control.orthogonal, middle, velocity, gradient);
+    Lane* const stored = history + hourglass_history;
+    const HourglassVectors<Lane> old = each_hourglass_mode([&](int mode) {
+        const Lane* m = stored + 3 * mode;
+        return Vector3<Lane>{m[0], m[1], m[2]};
+    });
+    const HourglassVectors<Lane> turned =
+        each_hourglass_mode([&](int mode) { return motion.rotation * old[mode]; });
+    const HourglassVectors<Lane> force =
+        hourglass_forces(control,
+                         HourglassInput<Lane>{middle, rate, time_step, constants[mass_constant], sound_speed,
+                                              wave_modulus, inverse_length, inverse_volume},
+                         b, turned);
+    Lane power{};
+    for (int mode = 0; mode < 4; ++mode) {
+        power += dot(old[mode] + force[mode], rate[mode]);
+        stored[3 * mode] = force[mode].x;
+        stored[3 * mode + 1] = force[mode].y;
+        stored[3 * mode + 2] = force[mode].z;
+        if (control.orthogonal) flux.add_dyad(inverse_volume * force[mode], position.hourglass[mode]);
+    }
+    history[hourglass_energy_history] += vote.inverted ? Lane{} : 0.5 * step * power;
+    SolidModes<Lane> forces = stress_divergence(b, flux);
+    for (int mode = 0; mode < 4; ++mode) forces.hourglass[mode] -= force[mode];
+    return {forces, vote};
+}
+
+} // namespace plash

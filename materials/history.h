@@ -1,0 +1,27 @@
+#pragma once
+
+namespace plash {
+
+/// The history variables of a batch of integration points: entry k holds variable k of every lane.
+///
+/// What an element asks of a law (a plain struct of parameters, see materials/elastic.h for the smallest):
+///   history_size                          number of variables a point; they start as initial_history() says
+///   density, young_modulus, poisson_ratio for masses, wave speeds and hourglass control
+///   from_record(record, model)            reads and checks the parameters; throws DeckError
+///   update(stress, increment, history, time_step)               one step of solid points
+///   update_plane_stress(stress, increment, history, time_step)  one step of shell points: stress.zz stays
+///                                         zero and increment.zz comes back as the thickness strain
+/// and, only if it has any use for them:
+///   plastic_strain                        which history variable is the effective plastic strain
+///   rotate_history(history, rotation)     turns tensors in the history (back stress) with the material
+///   failed(history)                       mask of the points that have failed for good
+/// Both updates are inline templates over the lane type; increments are tensor strains in axes that turn with
+/// the material.
+template <class Lane>
+struct HistoryView {
+    Lane* values;
+
+    Lane& operator[](int variable) const { return values[variable]; }
+};
+
+} // namespace plash

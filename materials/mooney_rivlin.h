@@ -1,0 +1,115 @@
+#pragma once
+
+#include "materials/parameters.h"
+#include "math/lanes.h"
+#include "math/tensor3.h"
+
+namespace plash {
+
+/// *MAT_MOONEY-RIVLIN_RUBBER (027): hyperelastic rubber with the strain energy by reference volume
+///   W = A (I - 3) + B (II - 3) + C (III^-2 - 1) + D (III - 1)^2,
+///   C = A / 2 + B,  D = (A (5 nu - 2) + B (11 nu - 5)) / (2 (1 - 2 nu)),
+/// of the invariants of the right Cauchy-Green tensor; 2 (A + B) is the shear modulus at small strains.
+/// Source: Hallquist (2006), LS-DYNA theory manual, material model 27 (Mooney 1940, Rivlin 1948).
+struct MooneyRivlin {
+    double density = 0;       ///< [mass/volume]
+    double a = 0, b = 0;      ///< [stress]
+    double poisson_ratio = 0; ///< [-]
+
+    /// Constants from the card, or from its tension test: force (LCID) over the change of the gauge length
+    /// SGL of a strip of width SW and thickness ST, fitted by least squares as incompressible.
+    static MooneyRivlin from_record(const Record& record, const Model& model);
+
+    double c() const { return 0.5 * a + b; }
+    double d() const
+    {
+        return (a * (5 * poisson_ratio - 2) + b * (11 * poisson_ratio - 5)) / (2 * (1 - 2 * poisson_ratio));
+    }
+    double shear_modulus() const { return 2 * (a + b); }
+
+    /// Strain energy by reference volume [stress].
+    template <class Lane>
+    Lane energy(const Tensor3<Lane>& deformation) const
+    {
+        const Invariants<Lane> i = invariants(deformation);
+        const Lane volumetric = i.third - 1.0;
+        return a * (i.first - 3.0) + b * (i.second - 3.0) + c() * (1.0 / (i.third * i.third) - 1.0) +
+               d() * volumetric * volumetric;
+    }
+
+    /// Cauchy stress of a deformation gradient [stress].
+    template <class Lane>
+    SymmetricTensor<Lane> stress(const Tensor3<Lane>& deformation) const
+    {
+        const Invariants<Lane> i = invariants(deformation);
+        const SymmetricTensor<Lane>& l = i.left;
+        const Lane factor = 2.0 / sqrt(i.third);
+        const Lane linear = factor * (a + b * i.first), square = -factor * b;
+        const Lane pressure = factor * i.third * third_slope(i.third);
+        return {linear * l.xx + square * (l.xx * l.xx + l.xy * l.xy + l.zx * l.zx) + pressure,
+                linear * l.yy + square * (l.xy * l.xy + l.yy * l.yy + l.yz * l.yz) + pressure,
+                linear * l.zz + square * (l.zx * l.zx + l.yz * l.yz + l.zz * l.zz) + pressure,
+                linear * l.xy + square * (l.xx * l.xy + l.xy * l.yy + l.zx * l.yz),
+                linear * l.yz + square * (l.xy * l.zx + l.yy * l.yz + l.yz * l.zz),
+                linear * l.zx + square * (l.zx * l.xx + l.yz * l.xy + l.zz * l.zx)};
+    }
+
+    /// Density times the square of the speed of the fastest compression wave along a principal direction,
+    /// from above; exact without deformation [stress].
+    template <class Lane>
+    Lane wave_modulus(const Tensor3<Lane>& deformation) const
+    {
+        const Invariants<Lane> i = invariants(deformation);
+        // lambda^2 / J d2W/dlambda^2 with the largest squared stretch s.
+        const Lane s = largest_square(i);
+        const Lane inner = min(s, Lane{0.5 * i.first});
+        const Lane inverse = 1.0 / i.third, inverse2 = inverse * inverse;
+        const Lane third_curvature = 6 * c() * inverse2 * inverse2 + 2 * d();
+        return (2 * a * s + 2 * b * inner * (i.first - inner) + 4.0 * i.third * i.third * third_curvature +
+                2.0 * i.third * third_slope(i.third)) /
+               sqrt(i.third);
+    }
+
+private:
+    template <class Lane>
+    struct Invariants {
+        SymmetricTensor<Lane> left; ///< left Cauchy-Green tensor
+        Lane first, second, third;
+    };
+
+    template <class Lane>
+    static Invariants<Lane> invariants(const Tensor3<Lane>& f)
+    {
+        const SymmetricTensor<Lane> l{
+            f.xx * f.xx + f.xy * f.xy + f.xz * f.xz, f.yx * f.yx + f.yy * f.yy + f.yz * f.yz,
+            f.zx * f.zx + f.zy * f.zy + f.zz * f.zz, f.xx * f.yx + f.xy * f.yy + f.xz * f.yz,
+            f.yx * f.zx + f.yy * f.zy + f.yz * f.zz, f.zx * f.xx + f.zy * f.xy + f.zz * f.xz};
+        const Lane first = trace(l), volume = determinant(f);
+        return {l, first, 0.5 * (first * first - contract(l, l)), volume * volume};
+    }
+
+    /// Largest principal value of the left Cauchy-Green tensor, from above: a bound by its deviator, and
+    /// three steps of Newton's iteration on the characteristic polynomial, which stay above the largest root.
+    template <class Lane>
+    static Lane largest_square(const Invariants<Lane>& i)
+    {
+        const SymmetricTensor<Lane> part = deviator(i.left);
+        Lane s = (1.0 / 3) * i.first + sqrt((2.0 / 3) * contract(part, part));
+        for (int round = 0; round < 3; ++round) {
+            const Lane value = ((s - i.first) * s + i.second) * s - i.third;
+            const Lane slope = (3.0 * s - 2.0 * i.first) * s + i.second;
+            // Near a threefold root the bound is good already, and the quotient all round-off.
+            s -= slope > 1e-6 * s * s ? max(value, Lane{}) / slope : Lane{};
+        }
+        return s;
+    }
+
+    /// dW/dIII.
+    template <class Lane>
+    Lane third_slope(const Lane& third) const
+    {
+        return 2 * d() * (third - 1.0) - 2 * c() / (third * third * third);
+    }
+};
+
+} // namespace plash

@@ -1,0 +1,118 @@
+#include "materials/piecewise_linear_plasticity.h"
+
+#include "materials/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace plash {
+
+namespace {
+
+/// EPS1..EPS8 with ES1..ES8.
+Curve read_points(const Record& record)
+{
+    Curve curve;
+    for (int i = 1; i <= 8; ++i) {
+        const std::string strain_name = fmt::format("EPS{}", i), stress_name = fmt::format("ES{}", i);
+        const double strain = record.real(strain_name), stress = record.real(stress_name);
+        if (i > 1 && strain == 0 && stress == 0) break;
+        if (i == 1 && strain != 0) reject_field(record, strain_name, "the first plastic strain must be zero");
+        if (i > 1 && strain <= curve.abscissa.back()) {
+            reject_field(
+                record, strain_name,
+                fmt::format("{} does not rise above {} of the point before", strain, curve.abscissa.back()));
+        }
+        if (!(stress > 0)) reject_field(record, stress_name, fmt::format("{} is no yield stress", stress));
+        curve.abscissa.push_back(strain);
+        curve.ordinate.push_back(stress);
+    }
+    return curve;
+}
+
+void check_yield_curve(const Record& record, const NamedCurve& curve)
+{
+    const auto bad = std::find_if(curve.curve.ordinate.begin(), curve.curve.ordinate.end(),
+                                  [](double stress) { return !(stress > 0); });
+    if (bad == curve.curve.ordinate.end()) return;
+    reject_field(record, "LCSS",
+                 fmt::format("curve {} gives the yield stress {}, which is not positive", curve.id, *bad));
+}
+
+/// LCSS: a curve, or a table of curves over the strain rate (its values are logarithms when the first is
+/// negative).
+Hardening read_yield_curves(const Record& record, const Model& model)
+{
+    const Id id = record.integer("LCSS");
+    for (const NamedTable& table : model.tables) {
+        if (table.id != id) continue;
+        std::vector<const Curve*> curves;
+        for (Index curve : table.curves) {
+            check_yield_curve(record, model.curves[curve]);
+            curves.push_back(&model.curves[curve].curve);
+        }
+        return Hardening::table(table.abscissa, curves, table.abscissa.front() < 0);
+    }
+    const NamedCurve& curve = curve_of(record, "LCSS", model);
+    check_yield_curve(record, curve);
+    return Hardening::curve(curve.curve);
+}
+
+Hardening read_hardening(const Record& record, const Model& model, double young_modulus)
+{
+    if (record.integer("LCSS") != 0) return read_yield_curves(record, model);
+    if (record.real("ES1") != 0 || record.real("EPS2") != 0) return Hardening::curve(read_points(record));
+    const double yield_stress = positive(record, "SIGY", "yield stress");
+    const double tangent = record.real("ETAN");
+    if (!(tangent < young_modulus)) {
+        reject_field(
+            record, "ETAN",
+            fmt::format("tangent modulus {} is not below Young's modulus {}", tangent, young_modulus));
+    }
+    return Hardening::linear(yield_stress, young_modulus * tangent / (young_modulus - tangent));
+}
+
+void read_rate(const Record& record, const Model& model, PiecewiseLinearPlasticity& law)
+{
+    using Rate = PiecewiseLinearPlasticity::Rate;
+    const double option = record.real("VP");
+    if (option != 0 && option != 1 && option != -1) {
+        reject_field(record, "VP", fmt::format("rate formulation {} is not supported (-1, 0 or 1)", option));
+    }
+    const Rate formulation = option == 1 ? Rate::viscoplastic : Rate::scaled;
+    if (law.hardening.depends_on_rate()) law.rate = formulation;
+    if (record.integer("LCSR") != 0) {
+        law.rate = formulation;
+        law.rate_factor = curve_of(record, "LCSR", model).curve;
+        law.lowest_factor =
+            *std::min_element(law.rate_factor.ordinate.begin(), law.rate_factor.ordinate.end());
+        if (!(law.lowest_factor > 0))
+            reject_field(record, "LCSR", "the curve has factors that are not positive");
+        return;
+    }
+    if (!(record.real("C") > 0)) return;
+    law.rate = formulation;
+    law.reference_rate = record.real("C");
+    law.rate_exponent = 1 / positive(record, "P", "exponent of Cowper and Symonds, needed with C");
+    if (formulation == Rate::viscoplastic) law.overstress = record.real("SIGY");
+}
+
+} // namespace
+
+PiecewiseLinearPlasticity PiecewiseLinearPlasticity::from_record(const Record& record, const Model& model)
+{
+    PiecewiseLinearPlasticity law;
+    law.density = positive(record, "RO", "mass density");
+    law.young_modulus = positive(record, "E", "Young's modulus");
+    law.poisson_ratio = poisson_ratio_of(record);
+    law.hardening = read_hardening(record, model, law.young_modulus);
+    read_rate(record, model, law);
+    const double failure = record.real("FAIL");
+    if (failure < 0) reject_field(record, "FAIL", "user-defined failure (FAIL < 0) is not supported");
+    law.failure_strain = failure < 1e20 ? failure : 0;
+    law.shortest_step = record.real("TDEL");
+    return law;
+}
+
+} // namespace plash

@@ -1,0 +1,206 @@
+#pragma once
+
+#include "materials/history.h"
+#include "materials/parameters.h"
+#include "materials/von_mises.h"
+#include "math/tensor3.h"
+
+#include <array>
+
+namespace plash {
+
+/// Parameters of *MAT_PLASTIC_KINEMATIC, common to both forms of the law.
+struct PlasticKinematicParameters {
+    double density = 0;         ///< [mass/volume]
+    double young_modulus = 0;   ///< [stress]
+    double poisson_ratio = 0;   ///< [-]
+    double yield_stress = 0;    ///< SIGY [stress]
+    double plastic_modulus = 0; ///< E ETAN / (E - ETAN) [stress]
+    double beta = 0;            ///< 0 kinematic, 1 isotropic hardening
+    double rate_constant = 0;   ///< C of Cowper & Symonds [1/time]; 0: no rate effect
+    double rate_exponent = 0;   ///< P
+    bool viscoplastic = false;  ///< VP = 1: the rate is that of plastic strain
+    double failure_strain = 0;  ///< FS: effective plastic strain at which elements are deleted; 0: never
+
+    static PlasticKinematicParameters from_record(const Record& record);
+
+    /// A back stress is needed only if something moves it.
+    bool has_back_stress() const { return beta < 1 && plastic_modulus > 0; }
+};
+
+/// The relative stress of one point as its return sees it: equivalent stress squared in the two eigenmodes of
+/// the elastic law, and by how much a multiplier of flow m shrinks them: q(m)^2 = slow_square / (1 + slow
+/// m)^2
+/// + fast_square / (1 + fast m)^2. In three dimensions only the fast mode is there.
+struct ReturnPath {
+    double slow_square, fast_square; ///< [stress^2]
+    double slow, fast;               ///< [stress]
+};
+
+/// Multiplier m of viscoplastic Cowper-Symonds flow over a step: q(m) = (1 + (d / (C dt))^(1/P))
+/// (yield + hardening d) with the effective plastic strain d = 2/3 m q(m); zero inside the static surface.
+double viscoplastic_multiplier(const ReturnPath& path, double yield, double hardening, double rate_constant,
+                               double rate_exponent, double time_step);
+
+/// *MAT_PLASTIC_KINEMATIC (003): von Mises plasticity with mixed linear hardening, radial return.
+/// Source: Krieg & Key (1976); rate effect of Cowper & Symonds (1957) on the yield stress; Hallquist (2006),
+/// LS-DYNA theory manual, material model 3.
+///
+/// with_back_stress false is the form without kinematic hardening, which carries six variables less.
+template <bool with_back_stress>
+struct PlasticKinematic : PlasticKinematicParameters {
+    static constexpr int plastic_strain = 0;
+    static constexpr int back_stress = 1; ///< deviator
+    static constexpr int history_size = with_back_stress ? 7 : 1;
+    std::array<double, history_size> initial_history() const { return {}; }
+
+    static PlasticKinematic from_record(const Record& record, const Model&)
+    {
+        return {PlasticKinematicParameters::from_record(record)};
+    }
+
+    template <class Lane>
+    MaskOf<Lane> failed(HistoryView<Lane> history) const
+    {
+        const double limit = failure_strain > 0 ? failure_strain : std::numeric_limits<double>::infinity();
+        return history[plastic_strain] >= limit;
+    }
+
+    /// Turns the back stress with the material.
+    template <class Lane>
+    void rotate_history(HistoryView<Lane> history, const Tensor3<Lane>& rotation) const
+    {
+        if constexpr (with_back_stress) store(history, rotated(back_stress_of(history), rotation));
+    }
+
+    /// One step at a batch of solid points.
+    /// stress     Cauchy [stress], in and out
+    /// increment  strain increments of the step [-]
+    template <class Lane>
+    void update(SymmetricTensor<Lane>& stress, const SymmetricTensor<Lane>& increment,
+                HistoryView<Lane> history, double time_step) const
+    {
+        const double shear = young_modulus / (2 * (1 + poisson_ratio));
+        const double lame = 2 * shear * poisson_ratio / (1 - 2 * poisson_ratio);
+        add_elastic_stress(stress, increment, shear, lame);
+
+        SymmetricTensor<Lane> relative = deviator(stress);
+        if constexpr (with_back_stress) relative = relative - back_stress_of(history);
+        const Lane scale = rate_factor(increment, time_step);
+        const Lane yield = scale * (yield_stress + isotropic_modulus() * history[plastic_strain]);
+        const Lane square = 1.5 * contract(relative, relative);
+        const MaskOf<Lane> yielding = square > yield * yield;
+        if (!any(yielding)) return;
+
+        const double stiffness = 3 * shear + kinematic_modulus();
+        const Lane trial = yielding ? sqrt(square) : broadcast<Lane>(1);
+        Lane share; // plastic strain over trial stress
+        if (viscoplastic) {
+            const Lane m =
+                viscous_multiplier(Lane{}, square, stiffness / 1.5, stiffness / 1.5, yield, time_step);
+            share = m / (1.5 + stiffness * m);
+        } else {
+            share = (trial - yield) / (trial * (stiffness + scale * isotropic_modulus()));
+        }
+        share = yielding ? share : Lane{};
+        history[plastic_strain] += share * trial;
+        stress = stress - (3 * shear * share) * relative;
+        if constexpr (with_back_stress) {
+            store(history, back_stress_of(history) + (kinematic_modulus() * share) * relative);
+        }
+    }
+
+    /// One step at a batch of shell points with stress.zz = 0.
+    /// increment  in: all but zz; out: zz, the thickness strain that keeps stress.zz at zero [-]
+    template <class Lane>
+    void update_plane_stress(SymmetricTensor<Lane>& stress, SymmetricTensor<Lane>& increment,
+                             HistoryView<Lane> history, double time_step) const
+    {
+        const Lane sum_before = stress.xx + stress.yy;
+        add_plane_elastic_stress(stress, increment, young_modulus, poisson_ratio);
+        increment.zz = -poisson_ratio / (1 - poisson_ratio) * (increment.xx + increment.yy);
+
+        // Back stress in plane-stress form: the stress with zz = 0 that has the same deviator.
+        SymmetricTensor<Lane> center{};
+        if constexpr (with_back_stress) {
+            center = back_stress_of(history);
+            center = {center.xx - center.zz, center.yy - center.zz, Lane{}, center.xy, center.yz, center.zx};
+        }
+        SymmetricTensor<Lane> relative = stress - center;
+        relative.zz = Lane{};
+        const Lane scale = rate_factor(increment, time_step);
+        const Lane yield = scale * (yield_stress + isotropic_modulus() * history[plastic_strain]);
+        const PlaneStressPath<Lane> path(relative, kinematic_modulus(), young_modulus, poisson_ratio);
+        const Lane multiplier = viscoplastic ? viscous_multiplier(path.slow_square, path.fast_square,
+                                                                  path.slow, path.fast, yield, time_step)
+                                             : path.multiplier(yield, scale * isotropic_modulus());
+        if (!any(multiplier > 0.0)) return;
+
+        history[plastic_strain] += path.shrink(relative, multiplier);
+        if constexpr (with_back_stress) {
+            const Lane shift = (2.0 / 3 * kinematic_modulus()) * multiplier;
+            store(history, back_stress_of(history) + shift * deviator(relative));
+            center = center + shift * relative;
+        }
+        const Lane plastic_zz = multiplier * (-1.0 / 3) * (relative.xx + relative.yy);
+        stress = relative + center;
+        stress.zz = Lane{};
+        increment.zz = -poisson_ratio / young_modulus * (stress.xx + stress.yy - sum_before) + plastic_zz;
+    }
+
+private:
+    double isotropic_modulus() const { return with_back_stress ? beta * plastic_modulus : plastic_modulus; }
+    double kinematic_modulus() const { return with_back_stress ? (1 - beta) * plastic_modulus : 0; }
+
+    template <class Lane>
+    static SymmetricTensor<Lane> back_stress_of(HistoryView<Lane> history)
+    {
+        const Lane* b = &history[back_stress];
+        return {b[0], b[1], b[2], b[3], b[4], b[5]};
+    }
+
+    template <class Lane>
+    static void store(HistoryView<Lane> history, const SymmetricTensor<Lane>& back)
+    {
+        Lane* b = &history[back_stress];
+        b[0] = back.xx;
+        b[1] = back.yy;
+        b[2] = back.zz;
+        b[3] = back.xy;
+        b[4] = back.yz;
+        b[5] = back.zx;
+    }
+
+    /// 1 + (rate / C)^(1/P) with the norm of the total strain rate (VP = 0).
+    template <class Lane>
+    Lane rate_factor(const SymmetricTensor<Lane>& increment, double time_step) const
+    {
+        if (rate_constant == 0 || viscoplastic || time_step == 0) return broadcast<Lane>(1);
+        return power_factor(contract(increment, increment) * (1 / (time_step * time_step)));
+    }
+
+    /// Kept out of line, as viscous_multiplier is: calls inside would cost the common path its registers.
+    template <class Lane>
+    [[gnu::noinline]] Lane power_factor(const Lane& rate_square) const
+    {
+        const double unit = 1 / (rate_constant * rate_constant);
+        return map_lanes(rate_square,
+                         [&](double value) { return 1 + std::pow(value * unit, 0.5 / rate_exponent); });
+    }
+
+    template <class Lane>
+    [[gnu::noinline]] Lane viscous_multiplier(const Lane& slow_square, const Lane& fast_square, double slow,
+                                              double fast, const Lane& yield, double time_step) const
+    {
+        Lane multiplier{};
+        for (int lane = 0; lane < lanes_in<Lane>; ++lane) {
+            const ReturnPath path{lane_of(slow_square, lane), lane_of(fast_square, lane), slow, fast};
+            set_lane(multiplier, lane,
+                     viscoplastic_multiplier(path, lane_of(yield, lane), isotropic_modulus(), rate_constant,
+                                             rate_exponent, time_step));
+        }
+        return multiplier;
+    }
+};
+
+} // namespace plash

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "model/conditions.h"
+
+#include <map>
+
+namespace plash {
+
+/// *CONTROL_TERMINATION and *CONTROL_TIMESTEP.
+struct TimeControls {
+    double end_time = 0;             ///< ENDTIM [time]
+    long end_cycle = 0;              ///< ENDCYC; 0: no limit
+    double smallest_step_factor = 0; ///< DTMIN: stop when the step falls below this share of the first one
+    double end_energy_change = 0;    ///< ENDENG [percent]; 0: no limit
+    double end_mass_change = 1e8;    ///< ENDMAS [percent]
+    double initial_step = 0;         ///< DTINIT [time]; 0: found from the elements
+    double step_scale = 0.9;         ///< TSSFAC
+    int shell_length_rule = 0;       ///< ISDO
+    double mass_scaled_step = 0;     ///< DT2MS [time]; negative: add mass only where the step is smaller
+    Index largest_step_curve = none; ///< LCTM
+    bool erode_small_step = false;   ///< ERODE
+};
+
+/// *CONTROL_ENERGY: which energies enter the balance. Plash always computes all of them.
+struct EnergyControls {
+    bool hourglass_requested = false; ///< HGEN = 2
+    bool rigid_wall_requested = true; ///< RWEN
+    bool sliding_requested = false;   ///< SLNTEN
+    bool damping_requested = false;   ///< RYLEN
+};
+
+/// *CONTROL_HOURGLASS, *CONTROL_BULK_VISCOSITY, *CONTROL_SHELL, *CONTROL_SOLID.
+struct ElementControls {
+    int hourglass_type = 0;             ///< IHQ; 0: LS-DYNA's default of the element
+    double hourglass_coefficient = 0.1; ///< QH
+    double quadratic_viscosity = 1.5;   ///< Q1
+    double linear_viscosity = 0.06;     ///< Q2
+    int bulk_viscosity_type = 1;        ///< TYPE
+    double shell_warp_angle = 20;       ///< WRPANG [degree]
+    int sort_triangles = 0;             ///< ESORT of *CONTROL_SHELL
+    int normal_update = -1;             ///< IRNXX
+    int thickness_change = 0;           ///< ISTUPD
+    int shell_theory = 2;               ///< THEORY: formulation of sections that leave ELFORM at 0
+    int warping = 2;                    ///< BWC: 1 Belytschko-Wong-Chiang, 2 Belytschko-Tsay
+    int plane_stress_plasticity = 1;    ///< MITER
+    int projection = 0;                 ///< PROJ
+    int sort_solids = 0;                ///< ESORT of *CONTROL_SOLID
+};
+
+/// One *DATABASE_<name> request: how often a result file is written.
+struct OutputRequest {
+    double interval = 0; ///< [time]; 0: not asked for
+    Index interval_curve = none;
+    int states = 0; ///< NPLTC: number of states in place of an interval; 0: not asked for
+    int binary = 0; ///< BINARY: 1 ASCII, 2 binout, 3 both; 0: default
+    Location where;
+};
+
+/// *DATABASE family.
+struct OutputControls {
+    std::map<std::string, OutputRequest> ascii; ///< by lower-case file name: "glstat", "nodout" ...
+    OutputRequest d3plot;
+    std::vector<Index> history_nodes;
+    std::vector<Index> history_shells;
+    std::vector<Index> history_solids;
+    std::map<std::string, double> extent; ///< *DATABASE_EXTENT_BINARY by field name, where the deck has it
+};
+
+struct Controls {
+    TimeControls time;
+    EnergyControls energy;
+    ElementControls elements;
+    OutputControls output;
+};
+
+} // namespace plash

@@ -1,0 +1,131 @@
+#pragma once
+
+#include "math/curve.h"
+#include "model/conditions.h"
+#include "model/contact.h"
+#include "model/controls.h"
+#include "model/mesh.h"
+#include "model/record.h"
+
+#include <map>
+#include <stdexcept>
+
+namespace plash {
+
+/// A *DEFINE_CURVE: points with scale and offset already applied.
+struct NamedCurve {
+    Id id = 0;
+    std::string title;
+    Location where;
+    Curve curve;
+};
+
+/// A *DEFINE_TABLE: one curve for each abscissa value, rising.
+struct NamedTable {
+    Id id = 0;
+    std::string title;
+    Location where;
+    std::vector<double> abscissa;
+    std::vector<Index> curves; ///< into Model::curves, one for each value
+};
+
+/// A *DEFINE_COORDINATE_...: origin and three unit axes in the global frame at the start.
+struct CoordinateSystem {
+    Id id = 0;
+    Vec3 origin{};
+    std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+    Location where;
+};
+
+/// A *DEFINE_VECTOR: from tail to head [length].
+struct NamedVector {
+    Id id = 0;
+    Vec3 tail{}, head{};
+    Location where;
+};
+
+/// A *DEFINE_BOX with its number.
+struct NamedBox {
+    Id id = 0;
+    Box box;
+    Location where;
+};
+
+/// What a deck says, resolved and checked: plain data in the deck's own units, every reference an index.
+struct Model {
+    std::string title;
+    std::vector<std::string> files; ///< deck and includes, as opened
+
+    Nodes nodes;
+    ShellElements shells;
+    SolidElements solids;
+    BeamElements beams;
+    ThickShellElements thick_shells;
+    TetrahedronElements tetrahedra;
+    DiscreteElements discretes;
+    NodalMasses masses;
+    ParticleElements particles;
+
+    std::vector<Part> parts;
+    std::vector<Record> sections;
+    std::vector<Record> materials;
+    std::vector<Record> equations_of_state;
+    std::vector<Record> hourglass;
+    std::vector<NamedCurve> curves;
+    std::vector<NamedTable> tables;
+    std::vector<CoordinateSystem> coordinate_systems;
+    std::vector<NamedVector> vectors;
+    std::vector<NamedBox> boxes;
+
+    std::vector<NodeSet> node_sets;
+    std::vector<SegmentSet> segment_sets;
+    std::vector<PartSet> part_sets;
+    std::vector<ElementSet> shell_sets;
+    std::vector<ElementSet> solid_sets;
+    std::vector<ElementSet> beam_sets;
+    std::vector<ElementSet> thick_shell_sets;
+    std::vector<ElementSet> discrete_sets;
+
+    std::vector<FixedNodes> fixed_nodes;
+    std::vector<PrescribedMotion> prescribed_motions;
+    std::vector<NodalLoad> nodal_loads;
+    std::vector<BodyLoad> body_loads;
+    std::vector<InitialVelocity> initial_velocities;
+    std::vector<RigidBodyVelocity> rigid_body_velocities;
+    std::vector<PlanarWall> planar_walls;
+    std::vector<Contact> contacts;
+    std::map<Index, PartInertia> part_inertias; ///< by part, where the deck has *PART_INERTIA
+    std::map<Index, PartContact> part_contacts; ///< by part, where the deck has *PART_CONTACT
+    std::vector<Record> others;                 ///< definitions of every other keyword, as records
+
+    Controls controls;
+
+    /// "deck.k:12" for messages; empty when `where` points nowhere.
+    std::string place(const Location& where) const;
+
+    /// Position of the curve or table with this number (fields like LCSS name either); `none`: there is no
+    /// such.
+    Index find_curve(Id id) const;
+    Index find_table(Id id) const;
+};
+
+/// Calls visit(elements) for every list of elements that have an id, a part and nodes.
+template <class Visit>
+void for_each_topology(const Model& model, Visit&& visit)
+{
+    visit(model.shells);
+    visit(model.solids);
+    visit(model.beams);
+    visit(model.thick_shells);
+    visit(model.tetrahedra);
+    visit(model.discretes);
+}
+
+/// A fault of the deck that is found while physics is set up: names file, line, keyword and field.
+class DeckError : public std::runtime_error {
+public:
+    DeckError(Location where, const std::string& message) : std::runtime_error(message), where(where) {}
+    Location where;
+};
+
+} // namespace plash

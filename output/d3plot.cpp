@@ -1,0 +1,125 @@
+#include "output/d3plot.h"
+
+#include "output/nodal_motion.h"
+
+namespace plash {
+
+namespace {
+
+/// Zeroed entries, as many as asked for.
+template <class T>
+void clear(std::vector<T>& values, std::size_t count)
+{
+    values.assign(count, T{});
+}
+
+void put(D3plotFamily& family, const Vec3& value)
+{
+    family.put(value.x);
+    family.put(value.y);
+    family.put(value.z);
+}
+
+void put(D3plotFamily& family, const SymmetricTensor<double>& value)
+{
+    for (double component : {value.xx, value.yy, value.zz, value.xy, value.yz, value.zx})
+        family.put(component);
+}
+
+} // namespace
+
+D3plotRecorder::D3plotRecorder(const Model& model, Schedule schedule, const std::string& path,
+                               std::size_t words_per_file)
+    : ScheduledRecorder(std::move(schedule)),
+      layout_(model),
+      family_(path, words_per_file, layout_.one_state_per_file)
+{
+    family_.write_geometry(d3plot_geometry(model, layout_));
+}
+
+void D3plotRecorder::write_state(const Snapshot& snapshot)
+{
+    const std::size_t shells = layout_.shells.size(), solids = layout_.solids.size();
+    const NodalMotion motion(snapshot, false);
+    ElementResults& r = results_;
+    r.shell_layers = layout_.layers;
+    if (layout_.shell_stress) clear(r.shell_stress, shells * layout_.layers);
+    if (layout_.shell_strain) clear(r.shell_plastic_strain, shells * layout_.layers);
+    if (layout_.shell_forces) clear(r.shell_resultants, shells);
+    if (layout_.shell_extra) clear(r.shell_thickness, shells);
+    if (layout_.shell_extra) clear(r.shell_internal_energy, shells);
+    clear(r.shell_deleted, shells);
+    clear(r.solid_stress, solids);
+    clear(r.solid_plastic_strain, solids);
+    clear(r.solid_deleted, solids);
+    clear(r.part_motion, layout_.parts.size());
+    r.walls.clear();
+    snapshot.collect(r);
+
+    family_.begin_state(snapshot.clock.time, layout_.state_words());
+    put_globals(snapshot, global_velocity(snapshot, motion, r.part_motion));
+    for (Index node : layout_.nodes) put(family_, motion.position(node));
+    for (Index node : layout_.nodes) put(family_, motion.velocity(node));
+    for (Index node : layout_.nodes) put(family_, motion.acceleration(node));
+    put_solids();
+    put_shells();
+    for (Index solid : layout_.solids) family_.put(r.solid_deleted[solid] ? 0 : 1);
+    for (Index shell : layout_.shells) family_.put(r.shell_deleted[shell] ? 0 : 1);
+    family_.end_state();
+}
+
+void D3plotRecorder::put_globals(const Snapshot& snapshot, const Vec3& velocity)
+{
+    const EnergyLedger& ledger = snapshot.ledger;
+    family_.put(ledger.kinetic + ledger.eroded_kinetic);
+    family_.put(ledger.internal + ledger.eroded_internal);
+    family_.put(ledger.total());
+    put(family_, velocity);
+    const auto& parts = results_.part_motion;
+    for (Index part : layout_.parts) family_.put(ledger.part_internal[part]);
+    for (Index part : layout_.parts) family_.put(parts[part].kinetic);
+    for (Index part : layout_.parts) {
+        const double mass = parts[part].mass;
+        for (double momentum : parts[part].momentum) family_.put(mass > 0 ? momentum / mass : 0);
+    }
+    for (Index part : layout_.parts) family_.put(parts[part].mass);
+    for (Index part : layout_.parts) family_.put(ledger.part_hourglass[part]);
+    for (const PlanarWall& wall : snapshot.model.planar_walls) {
+        double force = 0;
+        for (const auto& result : results_.walls) {
+            if (result.wall == wall.id) force = result.normal;
+        }
+        family_.put(force);
+    }
+    for (const PlanarWall& wall : snapshot.model.planar_walls) put(family_, wall.tail);
+}
+
+void D3plotRecorder::put_solids()
+{
+    for (Index solid : layout_.solids) {
+        put(family_, results_.solid_stress[solid]);
+        family_.put(results_.solid_plastic_strain[solid]);
+    }
+}
+
+void D3plotRecorder::put_shells()
+{
+    for (Index shell : layout_.shells) {
+        for (int layer = 0; layer < layout_.layers; ++layer) {
+            const std::size_t place = static_cast<std::size_t>(shell) * layout_.layers + layer;
+            if (layout_.shell_stress) put(family_, results_.shell_stress[place]);
+            if (layout_.shell_strain) family_.put(results_.shell_plastic_strain[place]);
+        }
+        if (layout_.shell_forces) {
+            for (double component : results_.shell_resultants[shell]) family_.put(component);
+        }
+        if (layout_.shell_extra) {
+            family_.put(results_.shell_thickness[shell]);
+            family_.put(0); // two element dependent variables that no formulation here has
+            family_.put(0);
+            family_.put(results_.shell_internal_energy[shell]);
+        }
+    }
+}
+
+} // namespace plash

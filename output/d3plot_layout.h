@@ -1,0 +1,45 @@
+#pragma once
+
+#include "model/model.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace plash {
+
+/// What a d3plot database of a Model holds and in which order (LSTC, 'LS-DYNA Database Binary Output Files',
+/// 2017). Readers search numbers, so nodes, elements and parts are sorted by their numbers.
+struct D3plotLayout {
+    /// Indices into the Model in the order of the database.
+    std::vector<Index> nodes, solids, shells, parts;
+
+    int layers = 3;                  ///< MAXINT: through-thickness points of shells
+    bool shell_stress = true;        ///< SIGFLG
+    bool shell_strain = true;        ///< EPSFLG: plastic strain
+    bool shell_forces = true;        ///< RLTFLG: resultants
+    bool shell_extra = true;         ///< ENGFLG: thickness, internal energy
+    bool one_state_per_file = false; ///< IEVERP
+    std::size_t walls = 0;
+
+    /// Takes *DATABASE_EXTENT_BINARY into account.
+    explicit D3plotLayout(const Model&);
+
+    std::size_t global_words() const { return 6 + 7 * parts.size() + 4 * walls; }
+    std::size_t solid_words() const { return 7; }
+    std::size_t shell_words() const
+    {
+        return layers * (6 * shell_stress + shell_strain) + 8 * shell_forces + 4 * shell_extra;
+    }
+    /// Words of a state after its time: globals; coordinates, velocities and accelerations; elements; which
+    /// elements are left.
+    std::size_t state_words() const
+    {
+        return global_words() + 9 * nodes.size() + solid_words() * solids.size() +
+               shell_words() * shells.size() + solids.size() + shells.size();
+    }
+};
+
+/// Everything before the states: control block, coordinates and connectivities, numbers, titles.
+std::vector<std::uint32_t> d3plot_geometry(const Model&, const D3plotLayout&);
+
+} // namespace plash

@@ -1,0 +1,172 @@
+#include "output/elout.h"
+
+#include "output/ascii_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace plash {
+
+namespace {
+
+double von_mises(const SymmetricTensor<double>& stress)
+{
+    const SymmetricTensor<double> s = deviator(stress);
+    return std::sqrt(1.5 * contract(s, s));
+}
+
+std::string table_heading(long cycle, double time)
+{
+    std::string text =
+        fmt::format("\n\n\n e l e m e n t   s t r e s s   c a l c u l a t i o n s   f o r   t i m e  "
+                    "s t e p{:9}   ( at time ",
+                    cycle);
+    append_scientific(text, time, 12, 5);
+    return text + " )\n\n";
+}
+
+void append_point(std::string& text, const PointStress& point)
+{
+    fmt::format_to(std::back_inserter(text), "{:<7} ", point.plastic_strain > 0 ? "plastic" : "elastic");
+    const SymmetricTensor<double>& s = point.stress;
+    for (double component : {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx}) append_scientific(text, component, 12, 4);
+}
+
+/// Marks the rows of some elements among `count`.
+std::vector<Index> rows_of(const std::vector<Index>& elements, std::size_t count)
+{
+    std::vector<Index> rows(count, none);
+    for (std::size_t row = 0; row < elements.size(); ++row) rows[elements[row]] = static_cast<Index>(row);
+    return rows;
+}
+
+std::vector<Index> without_repeats(std::vector<Index> elements)
+{
+    std::sort(elements.begin(), elements.end());
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    return elements;
+}
+
+const Record* section_of(const Model& model, Index part)
+{
+    const Index section = model.parts[part].section;
+    return section == none ? nullptr : &model.sections[section];
+}
+
+/// Layer of the collected results that holds integration point `point` (from the bottom). Three layers come
+/// as middle, innermost, outermost; any other number from bottom to top.
+int layer_of(int point, int points, int layers)
+{
+    if (layers != 3) return point;
+    if (points == 1) return 0;
+    if (points == 2) return 1 + point;
+    return std::array{1, 0, 2}[point];
+}
+
+} // namespace
+
+std::string format_elout_solids(long cycle, double time, std::span<const ElementHistory> solids)
+{
+    std::string text = table_heading(cycle, time);
+    text +=
+        " element  materl\n"
+        "     ipt  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx           "
+        "            yield\n"
+        "           state                                                                                  "
+        "effsg      function\n";
+    for (const ElementHistory& solid : solids) {
+        fmt::format_to(std::back_inserter(text), "{:8}-{:7}\n", solid.id, solid.part);
+        for (std::size_t i = 0; i < solid.points.size(); ++i) {
+            fmt::format_to(std::back_inserter(text), "{:8} ", i + 1);
+            append_point(text, solid.points[i]);
+            append_scientific(text, von_mises(solid.points[i].stress), 14, 4);
+            append_scientific(text, solid.points[i].plastic_strain, 14, 4);
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+std::string format_elout_shells(long cycle, double time, std::span<const ElementHistory> shells)
+{
+    std::string text = table_heading(cycle, time);
+    text +=
+        " element  materl(global)\n"
+        " ipt-shl  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx       "
+        "plastic\n"
+        "           state                                                                                 "
+        "strain \n";
+    for (const ElementHistory& shell : shells) {
+        fmt::format_to(std::back_inserter(text), "{:8}-{:7}\n", shell.id, shell.part);
+        for (std::size_t i = 0; i < shell.points.size(); ++i) {
+            fmt::format_to(std::back_inserter(text), "{:4}-{:3} ", i + 1, shell.formulation);
+            append_point(text, shell.points[i]);
+            append_scientific(text, shell.points[i].plastic_strain, 14, 4);
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+EloutRecorder::EloutRecorder(const Model& model, Schedule schedule, const std::string& path)
+    : ScheduledRecorder(std::move(schedule)),
+      shells_(without_repeats(model.controls.output.history_shells)),
+      solids_(without_repeats(model.controls.output.history_solids)),
+      shell_rows_(rows_of(shells_, model.shells.size())),
+      solid_rows_(rows_of(solids_, model.solids.size())),
+      file_(path)
+{
+    for (Index shell : shells_) {
+        const Record* section = section_of(model, model.shells.part[shell]);
+        const int points = section ? std::max<int>(1, section->integer("NIP", 2)) : 1;
+        shell_points_.push_back(points);
+        shell_layers_ = std::max(shell_layers_, points);
+    }
+    file_.write(ascii_heading(model) + "\n\n");
+}
+
+void EloutRecorder::write_state(const Snapshot& snapshot)
+{
+    const Model& model = snapshot.model;
+    ElementResults results;
+    results.shell_rows = shell_rows_;
+    results.solid_rows = solid_rows_;
+    results.shell_layers = shell_layers_;
+    results.shell_stress.resize(shells_.size() * shell_layers_);
+    results.shell_plastic_strain.resize(shells_.size() * shell_layers_);
+    results.shell_deleted.resize(shells_.size());
+    results.solid_stress.resize(solids_.size());
+    results.solid_plastic_strain.resize(solids_.size());
+    results.solid_deleted.resize(solids_.size());
+    snapshot.collect(results);
+
+    std::vector<ElementHistory> solids, shells;
+    for (std::size_t row = 0; row < solids_.size(); ++row) {
+        if (results.solid_deleted[row]) continue;
+        ElementHistory& solid = solids.emplace_back();
+        solid.id = model.solids.id[solids_[row]];
+        solid.part = model.parts[model.solids.part[solids_[row]]].id;
+        solid.points = {{results.solid_stress[row], results.solid_plastic_strain[row]}};
+    }
+    for (std::size_t row = 0; row < shells_.size(); ++row) {
+        if (results.shell_deleted[row]) continue;
+        const Index part = model.shells.part[shells_[row]];
+        const Record* section = section_of(model, part);
+        ElementHistory& shell = shells.emplace_back();
+        shell.id = model.shells.id[shells_[row]];
+        shell.part = model.parts[part].id;
+        shell.formulation = section ? section->integer("ELFORM", 2) : 2;
+        for (int point = 0; point < shell_points_[row]; ++point) {
+            const std::size_t place =
+                row * shell_layers_ + layer_of(point, shell_points_[row], shell_layers_);
+            shell.points.push_back({results.shell_stress[place], results.shell_plastic_strain[place]});
+        }
+    }
+    const long cycle = snapshot.clock.cycle + 1;
+    if (!solids.empty()) file_.write(format_elout_solids(cycle, snapshot.clock.time, solids));
+    if (!shells.empty()) file_.write(format_elout_shells(cycle, snapshot.clock.time, shells));
+    file_.flush();
+}
+
+} // namespace plash

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plash {
+
+/// Columns over time as an ASCII result file holds them.
+struct History {
+    struct Column {
+        std::string name;           ///< as in the file, e.g. "kinetic energy"
+        std::vector<double> values; ///< one for each entry of `time`
+    };
+    std::vector<double> time; ///< [time]
+    std::vector<Column> columns;
+
+    /// The column of that name; nullptr when there is none.
+    const Column* find(std::string_view name) const;
+};
+
+/// Reads a file in the layout of glstat: one "name.... value" a line, a new state at each "time". Works on
+/// LS-DYNA's files as well. A state that breaks off (a run that was killed while it wrote) is left out.
+History read_glstat_history(std::string_view text);
+
+} // namespace plash

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "output/result_file.h"
+#include "output/schedule.h"
+
+#include <span>
+#include <string>
+
+namespace plash {
+
+/// What matsum shows of one part.
+struct PartStatistics {
+    Id id = 0;
+    double internal = 0;
+    double kinetic = 0;
+    double eroded_internal = 0;
+    double eroded_kinetic = 0;
+    Vec3 momentum{};
+    Vec3 rigid_body_velocity{}; ///< momentum over mass
+    double hourglass = 0;
+};
+
+/// One state as LS-DYNA R13 prints it.
+std::string format_matsum(double time, std::span<const PartStatistics>);
+
+/// *DATABASE_MATSUM.
+class MatsumRecorder final : public ScheduledRecorder {
+public:
+    MatsumRecorder(const Model&, Schedule, const std::string& path);
+
+private:
+    ResultFile file_;
+
+    void write_state(const Snapshot&) override;
+};
+
+} // namespace plash

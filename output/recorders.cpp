@@ -1,0 +1,120 @@
+#include "output/recorders.h"
+
+#include "output/bndout.h"
+#include "output/contact_files.h"
+#include "output/d3plot.h"
+#include "output/elout.h"
+#include "output/glstat.h"
+#include "output/matsum.h"
+#include "output/nodout.h"
+#include "output/rwforc.h"
+#include "output/spcforc.h"
+#include "output/vtk_series.h"
+
+#include <functional>
+
+namespace plash {
+
+namespace {
+
+/// One ASCII result file: its LS-DYNA name, whether the model has anything to show in it, how it is made.
+struct AsciiFile {
+    std::string name;
+    std::function<bool(const Model&)> wanted;
+    std::function<std::unique_ptr<Recorder>(const Model&, Schedule, const std::string& path)> make;
+};
+
+template <class T>
+std::unique_ptr<Recorder> make(const Model& model, Schedule schedule, const std::string& path)
+{
+    return std::make_unique<T>(model, std::move(schedule), path);
+}
+
+bool always(const Model&)
+{
+    return true;
+}
+
+bool has_history_nodes(const Model& model)
+{
+    return !model.controls.output.history_nodes.empty();
+}
+
+bool has_history_elements(const Model& model)
+{
+    return !model.controls.output.history_shells.empty() || !model.controls.output.history_solids.empty();
+}
+
+bool has_walls(const Model& model)
+{
+    return !model.planar_walls.empty();
+}
+
+bool has_supports(const Model& model)
+{
+    return !model.fixed_nodes.empty();
+}
+
+bool has_loads(const Model& model)
+{
+    return !model.nodal_loads.empty() || !model.prescribed_motions.empty();
+}
+
+bool has_contacts(const Model& model)
+{
+    return !model.contacts.empty();
+}
+
+/// A new ASCII file gets its line here.
+const std::vector<AsciiFile>& ascii_files()
+{
+    static const std::vector<AsciiFile> files = {
+        {"glstat", always, make<GlstatRecorder>},
+        {"matsum", always, make<MatsumRecorder>},
+        {"nodout", has_history_nodes, make<NodoutRecorder>},
+        {"elout", has_history_elements, make<EloutRecorder>},
+        {"rwforc", has_walls, make<RwforcRecorder>},
+        {"spcforc", has_supports, make<SpcforcRecorder>},
+        {"bndout", has_loads, make<BndoutRecorder>},
+        {"rcforc", has_contacts, make<RcforcRecorder>},
+        {"sleout", has_contacts, make<SleoutRecorder>},
+        {"ncforc", has_contacts, make<NcforcRecorder>},
+    };
+    return files;
+}
+
+} // namespace
+
+std::vector<std::unique_ptr<Recorder>> make_recorders(const Model& model, const std::string& directory,
+                                                      const RecorderOptions& options)
+{
+    std::vector<std::unique_ptr<Recorder>> recorders;
+    for (const AsciiFile& file : ascii_files()) {
+        const auto request = model.controls.output.ascii.find(file.name);
+        if (request == model.controls.output.ascii.end()) continue;
+        if (!asked_for(request->second) || !file.wanted(model)) continue;
+        recorders.push_back(
+            file.make(model, schedule_of(request->second, model), directory + "/" + file.name));
+    }
+    const OutputRequest& d3plot = model.controls.output.d3plot;
+    if (asked_for(d3plot)) {
+        recorders.push_back(
+            std::make_unique<D3plotRecorder>(model, schedule_of(d3plot, model), directory + "/d3plot"));
+    }
+    if (options.vtk) {
+        const Schedule schedule =
+            asked_for(d3plot) ? schedule_of(d3plot, model) : Schedule(model.controls.time.end_time / 20);
+        recorders.push_back(std::make_unique<VtkSeries>(model, schedule, directory));
+    }
+    write_walls(model, directory);
+    return recorders;
+}
+
+std::vector<std::string> ascii_file_names()
+{
+    std::vector<std::string> names;
+    for (const AsciiFile& file : ascii_files()) names.push_back(file.name);
+    return names;
+}
+
+} // namespace plash

@@ -1,0 +1,209 @@
+#include "output/vtk_series.h"
+
+#include "core/run_error.h"
+#include "output/nodal_motion.h"
+#include "output/result_file.h"
+#include "output/vtu_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace plash {
+
+namespace {
+
+using Stress = SymmetricTensor<double>;
+
+constexpr int layers = 3;                ///< middle, innermost, outermost
+constexpr std::uint8_t hidden_cell = 32; ///< vtkDataSetAttributes::HIDDENCELL
+
+void put(std::vector<float>& values, const Vec3& v)
+{
+    for (double x : {v.x, v.y, v.z}) values.push_back(static_cast<float>(x));
+}
+
+void put(std::vector<float>& values, const Stress& s)
+{
+    for (double x : {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx}) values.push_back(static_cast<float>(x));
+}
+
+double von_mises(const Stress& stress)
+{
+    const Stress s = deviator(stress);
+    return std::sqrt(1.5 * contract(s, s));
+}
+
+template <int Corners>
+void put_numbers(const Elements<Corners>& elements, const Model& model, std::vector<std::int64_t>& ids,
+                 std::vector<std::int64_t>& parts)
+{
+    ids.insert(ids.end(), elements.id.begin(), elements.id.end());
+    for (Index part : elements.part) parts.push_back(model.parts[part].id);
+}
+
+void add_nodes(VtuFile& file, const Snapshot& snapshot)
+{
+    const NodalMotion motion(snapshot, false);
+    const auto count = static_cast<Index>(snapshot.state.size());
+    std::vector<float> displacement, velocity;
+    for (Index node = 0; node < count; ++node) {
+        put(file.points, motion.position(node));
+        put(displacement, motion.displacement(node));
+        put(velocity, motion.velocity(node));
+    }
+    file.add_point_array("node_id", 1, snapshot.model.nodes.id);
+    file.add_point_array("displacement", 3, displacement);
+    file.add_point_array("velocity", 3, velocity);
+}
+
+void add_element_numbers(VtuFile& file, const Model& model)
+{
+    std::vector<std::int64_t> ids, parts;
+    put_numbers(model.shells, model, ids, parts);
+    put_numbers(model.solids, model, ids, parts);
+    file.add_cell_array("element_id", 1, ids);
+    file.add_cell_array("part_id", 1, parts);
+}
+
+ElementResults collect_results(const Snapshot& snapshot)
+{
+    const std::size_t shells = snapshot.model.shells.size(), solids = snapshot.model.solids.size();
+    ElementResults r;
+    r.shell_layers = layers;
+    r.shell_stress.resize(shells * layers);
+    r.shell_plastic_strain.resize(shells * layers);
+    r.shell_thickness.resize(shells);
+    r.shell_deleted.resize(shells);
+    r.solid_stress.resize(solids);
+    r.solid_plastic_strain.resize(solids);
+    r.solid_deleted.resize(solids);
+    snapshot.collect(r);
+    return r;
+}
+
+void add_element_results(VtuFile& file, const ElementResults& r)
+{
+    const std::size_t shells = r.shell_deleted.size(), solids = r.solid_deleted.size();
+    std::vector<float> stress[layers], mises, plastic, thickness;
+    std::vector<std::uint8_t> eroded(r.shell_deleted), ghost;
+    for (std::size_t e = 0; e < shells; ++e) {
+        double largest_mises = 0, largest_strain = 0;
+        for (int layer = 0; layer < layers; ++layer) {
+            const Stress& s = r.shell_stress[e * layers + layer];
+            put(stress[layer], s);
+            largest_mises = std::max(largest_mises, von_mises(s));
+            largest_strain = std::max(largest_strain, r.shell_plastic_strain[e * layers + layer]);
+        }
+        mises.push_back(static_cast<float>(largest_mises));
+        plastic.push_back(static_cast<float>(largest_strain));
+        thickness.push_back(static_cast<float>(r.shell_thickness[e]));
+    }
+    for (std::size_t e = 0; e < solids; ++e) {
+        for (auto& layer : stress) put(layer, r.solid_stress[e]);
+        mises.push_back(static_cast<float>(von_mises(r.solid_stress[e])));
+        plastic.push_back(static_cast<float>(r.solid_plastic_strain[e]));
+        thickness.push_back(0);
+    }
+    eroded.insert(eroded.end(), r.solid_deleted.begin(), r.solid_deleted.end());
+    for (std::uint8_t gone : eroded) ghost.push_back(gone ? hidden_cell : 0);
+    file.add_cell_array("eroded", 1, eroded);
+    file.add_cell_array("vtkGhostType", 1, ghost);
+    file.add_cell_array("stress", 6, stress[0]);
+    if (shells > 0) {
+        file.add_cell_array("stress_inner", 6, stress[1]);
+        file.add_cell_array("stress_outer", 6, stress[2]);
+    }
+    file.add_cell_array("von_mises", 1, mises);
+    file.add_cell_array("plastic_strain", 1, plastic);
+    file.add_cell_array("thickness", 1, thickness);
+}
+
+/// Makes the folder, and removes the states that an earlier run left in it.
+void prepare_folder(const std::string& folder)
+{
+    namespace fs = std::filesystem;
+    try {
+        fs::create_directories(folder);
+        std::vector<fs::path> old_states;
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            const std::string name = entry.path().filename().string();
+            if (name.starts_with("result_") && name.ends_with(".vtu")) old_states.push_back(entry.path());
+        }
+        for (const fs::path& state : old_states) fs::remove(state);
+    } catch (const fs::filesystem_error& error) {
+        throw RunError(fmt::format("result folder {} cannot be used: {}", folder, error.code().message()));
+    }
+}
+
+} // namespace
+
+VtkSeries::VtkSeries(const Model& model, Schedule schedule, std::string directory)
+    : ScheduledRecorder(std::move(schedule)),
+      directory_(std::move(directory)),
+      walls_(!model.planar_walls.empty())
+{
+    for (const auto& nodes : model.shells.nodes) cells_.push_back(shell_cell(nodes));
+    for (const auto& nodes : model.solids.nodes) cells_.push_back(solid_cell(nodes));
+    prepare_folder(directory_ + "/vtk");
+    write_index();
+}
+
+void VtkSeries::write_state(const Snapshot& snapshot)
+{
+    VtuFile file;
+    for (const Cell& cell : cells_) file.add_cell(cell);
+    add_nodes(file, snapshot);
+    add_element_numbers(file, snapshot.model);
+    add_element_results(file, collect_results(snapshot));
+    const std::string name = fmt::format("vtk/result_{:04}.vtu", files_.size());
+    file.write(directory_ + "/" + name, snapshot.clock.time);
+    files_.emplace_back(snapshot.clock.time, name);
+    write_index();
+}
+
+void VtkSeries::write_index() const
+{
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
+    for (const auto& [time, name] : files_) {
+        fmt::format_to(std::back_inserter(text), "<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time,
+                       name);
+        if (!walls_) continue;
+        fmt::format_to(std::back_inserter(text), "<DataSet timestep=\"{}\" part=\"1\" file=\"walls.vtu\"/>\n",
+                       time);
+    }
+    replace_file(directory_ + "/result.pvd", text + "</Collection>\n</VTKFile>\n");
+}
+
+void write_walls(const Model& model, const std::string& directory)
+{
+    if (model.planar_walls.empty()) return;
+    Vec3 low{}, high{};
+    if (!model.nodes.position.empty()) low = high = model.nodes.position[0];
+    for (const Vec3& x : model.nodes.position) {
+        low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+        high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+    }
+    const Vec3 center = 0.5 * (low + high);
+    const double half_side = 0.6 * norm(high - low);
+
+    VtuFile file;
+    std::vector<std::int64_t> ids;
+    for (const PlanarWall& wall : model.planar_walls) {
+        const Vec3 foot = center - dot(center - wall.tail, wall.normal) * wall.normal;
+        const Vec3 helper = std::abs(wall.normal.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+        const Vec3 a = half_side * unit(cross(wall.normal, helper));
+        const Vec3 b = cross(wall.normal, a);
+        const auto first = static_cast<Index>(file.points.size() / 3);
+        for (const Vec3& corner : {foot - a - b, foot + a - b, foot + a + b, foot - a + b})
+            put(file.points, corner);
+        file.add_cell(shell_cell({first, first + 1, first + 2, first + 3}));
+        ids.push_back(wall.id);
+    }
+    file.add_cell_array("wall_id", 1, ids);
+    file.write(directory + "/walls.vtu", 0);
+}
+
+} // namespace plash

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "output/cell_shape.h"
+#include "output/schedule.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace plash {
+
+/// A time series for ParaView: DIRECTORY/result.pvd names the files DIRECTORY/vtk/result_0000.vtu ... with
+/// their times. Both are written in one move, so the series can be opened while the run goes on and after it
+/// was killed. The state at the end of the run is always written.
+///
+/// By node: node_id, displacement, velocity (of n-1/2, see NodalMotion). By element, shells before solids:
+/// element_id, part_id, eroded (ParaView hides those through vtkGhostType), stress (six components in global
+/// axes; shells: the middle layer), stress_inner and stress_outer when there are shells (solids: as stress),
+/// von_mises and plastic_strain (the largest of a shell's layers), thickness (solids: 0).
+class VtkSeries final : public ScheduledRecorder {
+public:
+    VtkSeries(const Model&, Schedule, std::string directory);
+
+    void finish(const Snapshot& snapshot) override { write(snapshot); }
+
+private:
+    std::string directory_;
+    std::vector<Cell> cells_;
+    std::vector<std::pair<double, std::string>> files_; ///< time and name of what has been written
+    bool walls_;
+
+    void write_state(const Snapshot&) override;
+    void write_index() const;
+};
+
+/// Writes DIRECTORY/walls.vtu, a square for each planar wall as large as the model, for pictures. Does
+/// nothing for a model without walls.
+void write_walls(const Model&, const std::string& directory);
+
+} // namespace plash

@@ -1,0 +1,103 @@
+// *CONTROL family: the last block of a keyword wins.
+
+#include "parser/reading.h"
+
+namespace plash {
+namespace {
+
+/// LS-DYNA takes a zero for "as by default".
+double real_or(const Record& record, std::string_view field, double default_value)
+{
+    const double value = record.real(field);
+    return value == 0 ? default_value : value;
+}
+
+int whole(const Record& record, std::string_view field)
+{
+    return static_cast<int>(record.integer(field));
+}
+
+void read_termination(const Record& record, const Block&, Reading& reading)
+{
+    TimeControls& time = reading.model.controls.time;
+    time.end_time = record.real("ENDTIM");
+    time.end_cycle = record.integer("ENDCYC");
+    time.smallest_step_factor = record.real("DTMIN");
+    time.end_energy_change = record.real("ENDENG");
+    time.end_mass_change = real_or(record, "ENDMAS", 1e8);
+    if (time.end_time < 0) reading.error(record, "ENDTIM", "the end time is negative");
+}
+
+void read_timestep(const Record& record, const Block&, Reading& reading)
+{
+    TimeControls& time = reading.model.controls.time;
+    time.initial_step = record.real("DTINIT");
+    time.step_scale = real_or(record, "TSSFAC", 0.9);
+    time.shell_length_rule = whole(record, "ISDO");
+    time.mass_scaled_step = record.real("DT2MS");
+    time.largest_step_curve = reading.find(record, "LCTM", Kind::curve);
+    time.erode_small_step = record.integer("ERODE") == 1;
+    if (time.step_scale < 0) reading.error(record, "TSSFAC", "the scale of the step is negative");
+}
+
+/// 1: not computed, 2: computed.
+void read_energy(const Record& record, const Block&, Reading& reading)
+{
+    EnergyControls& energy = reading.model.controls.energy;
+    energy.hourglass_requested = record.integer("HGEN") == 2;
+    energy.rigid_wall_requested = record.integer("RWEN") == 2;
+    energy.sliding_requested = record.integer("SLNTEN") == 2;
+    energy.damping_requested = record.integer("RYLEN") == 2;
+}
+
+void read_hourglass(const Record& record, const Block&, Reading& reading)
+{
+    ElementControls& elements = reading.model.controls.elements;
+    elements.hourglass_type = whole(record, "IHQ");
+    elements.hourglass_coefficient = real_or(record, "QH", 0.1);
+}
+
+void read_bulk_viscosity(const Record& record, const Block&, Reading& reading)
+{
+    ElementControls& elements = reading.model.controls.elements;
+    elements.quadratic_viscosity = real_or(record, "Q1", 1.5);
+    elements.linear_viscosity = real_or(record, "Q2", 0.06);
+    elements.bulk_viscosity_type = whole(record, "TYPE");
+}
+
+void read_shell(const Record& record, const Block&, Reading& reading)
+{
+    ElementControls& elements = reading.model.controls.elements;
+    elements.shell_warp_angle = real_or(record, "WRPANG", 20);
+    elements.sort_triangles = whole(record, "ESORT");
+    elements.normal_update = whole(record, "IRNXX");
+    elements.thickness_change = whole(record, "ISTUPD");
+    elements.shell_theory = whole(record, "THEORY");
+    elements.warping = whole(record, "BWC");
+    elements.plane_stress_plasticity = whole(record, "MITER");
+    elements.projection = whole(record, "PROJ");
+}
+
+void read_solid(const Record& record, const Block&, Reading& reading)
+{
+    reading.model.controls.elements.sort_solids = whole(record, "ESORT");
+}
+
+constexpr Translator keywords[] = {
+    {"CONTROL_TERMINATION", Phase::conditions, read_termination},
+    {"CONTROL_TIMESTEP", Phase::conditions, read_timestep},
+    {"CONTROL_ENERGY", Phase::conditions, read_energy},
+    {"CONTROL_HOURGLASS", Phase::conditions, read_hourglass},
+    {"CONTROL_BULK_VISCOSITY", Phase::conditions, read_bulk_viscosity},
+    {"CONTROL_SHELL", Phase::conditions, read_shell},
+    {"CONTROL_SOLID", Phase::conditions, read_solid},
+};
+
+} // namespace
+
+std::span<const Translator> control_keywords()
+{
+    return keywords;
+}
+
+} // namespace plash

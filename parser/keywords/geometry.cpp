@@ -1,0 +1,89 @@
+// *DEFINE_COORDINATE, _VECTOR and _BOX.
+
+#include "parser/reading.h"
+
+#include <fmt/format.h>
+
+namespace plash {
+namespace {
+
+Vec3 vector_of(const Record& record, std::string_view x, std::string_view y, std::string_view z)
+{
+    return {record.real(x), record.real(y), record.real(z)};
+}
+
+/// Axes from a point on x and one in the xy plane, both as vectors from the origin.
+void keep_system(const Record& record, Vec3 origin, Vec3 along_x, Vec3 in_plane, Reading& reading)
+{
+    CoordinateSystem system;
+    system.id = record.id;
+    system.where = record.where;
+    system.origin = origin;
+    const Vec3 x = unit(along_x), z = unit(cross(x, in_plane));
+    if (norm(z) < 0.5)
+        reading.error(record, "CID",
+                      fmt::format("coordinate system {}: its three points lie on one line", record.id));
+    system.axes = {x, cross(z, x), z};
+    reading.model.coordinate_systems.push_back(system);
+}
+
+void read_system(const Record& record, const Block& block, Reading& reading)
+{
+    const Affine motion = reading.motion_of(block);
+    const Vec3 origin = motion.point(vector_of(record, "XO", "YO", "ZO"));
+    keep_system(record, origin, motion.point(vector_of(record, "XL", "YL", "ZL")) - origin,
+                motion.point(vector_of(record, "XP", "YP", "ZP")) - origin, reading);
+}
+
+void read_system_of_vectors(const Record& record, const Block& block, Reading& reading)
+{
+    const Affine motion = reading.motion_of(block);
+    keep_system(record, {}, motion.direction(vector_of(record, "XX", "YX", "ZX")),
+                motion.direction(vector_of(record, "XV", "YV", "ZV")), reading);
+}
+
+/// Position of the node that a field names; the report tells when there is none.
+Vec3 node_position(const Record& record, std::string_view field, Reading& reading)
+{
+    const Index node = reading.find(record, field, Kind::node);
+    return node == none ? Vec3{} : reading.model.nodes.position[node];
+}
+
+void read_system_of_nodes(const Record& record, const Block&, Reading& reading)
+{
+    const Vec3 origin = node_position(record, "N1", reading);
+    keep_system(record, origin, node_position(record, "N2", reading) - origin,
+                node_position(record, "N3", reading) - origin, reading);
+}
+
+void read_vector(const Record& record, const Block& block, Reading& reading)
+{
+    const Affine motion = reading.motion_of(block);
+    reading.model.vectors.push_back({record.id, motion.point(vector_of(record, "XT", "YT", "ZT")),
+                                     motion.point(vector_of(record, "XH", "YH", "ZH")), record.where});
+}
+
+void read_box(const Record& record, const Block& block, Reading& reading)
+{
+    if (reading.motions.contains(block.transform))
+        reading.error(record, "BOXID", "a box in an include that is moved is not supported");
+    const Box box{vector_of(record, "XMN", "YMN", "ZMN"), vector_of(record, "XMX", "YMX", "ZMX")};
+    reading.model.boxes.push_back({record.id, box, record.where});
+}
+
+constexpr Translator keywords[] = {
+    {"DEFINE_COORDINATE_SYSTEM", Phase::properties, read_system},
+    {"DEFINE_COORDINATE_VECTOR", Phase::properties, read_system_of_vectors},
+    {"DEFINE_COORDINATE_NODES", Phase::properties, read_system_of_nodes},
+    {"DEFINE_VECTOR", Phase::properties, read_vector},
+    {"DEFINE_BOX", Phase::properties, read_box},
+};
+
+} // namespace
+
+std::span<const Translator> geometry_keywords()
+{
+    return keywords;
+}
+
+} // namespace plash

@@ -1,0 +1,159 @@
+// *SET_NODE, _PART, _SEGMENT, _SHELL, _SOLID in all their forms: lists, ranges, columns, sums, intersections
+// and the options of _GENERAL, resolved to positions once all elements and sets are known.
+
+#include "parser/set_resolver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace plash {
+namespace {
+
+using Members = std::vector<Index>;
+
+std::array<double, 4> attributes(const Record& record)
+{
+    return {record.real("DA1"), record.real("DA2"), record.real("DA3"), record.real("DA4")};
+}
+
+template <class Set>
+void start_set(const Record& record, const Block& block, Kind kind, std::vector<Set>& sets, Reading& reading)
+{
+    Index index = reading.table(kind).find(record.id);
+    if (index == none) { // a _COLLECT of a known set goes on with it
+        index = static_cast<Index>(sets.size());
+        Set set;
+        set.id = record.id;
+        set.title = record.title;
+        if constexpr (requires { set.attribute; }) set.attribute = attributes(record);
+        sets.push_back(std::move(set));
+    }
+    for (const Table& table : record.tables) table.read = true;
+    reading.pending_sets.push_back({kind, index, record, &block});
+}
+
+void start_node_set(const Record& record, const Block& block, Reading& reading)
+{
+    start_set(record, block, Kind::node_set, reading.model.node_sets, reading);
+}
+
+void start_part_set(const Record& record, const Block& block, Reading& reading)
+{
+    start_set(record, block, Kind::part_set, reading.model.part_sets, reading);
+}
+
+void start_segment_set(const Record& record, const Block& block, Reading& reading)
+{
+    start_set(record, block, Kind::segment_set, reading.model.segment_sets, reading);
+}
+
+void start_shell_set(const Record& record, const Block& block, Reading& reading)
+{
+    start_set(record, block, Kind::shell_set, reading.model.shell_sets, reading);
+}
+
+void start_solid_set(const Record& record, const Block& block, Reading& reading)
+{
+    start_set(record, block, Kind::solid_set, reading.model.solid_sets, reading);
+}
+
+void start_beam_set(const Record& record, const Block& block, Reading& reading)
+{
+    start_set(record, block, Kind::beam_set, reading.model.beam_sets, reading);
+}
+
+void start_thick_shell_set(const Record& record, const Block& block, Reading& reading)
+{
+    start_set(record, block, Kind::tshell_set, reading.model.thick_shell_sets, reading);
+}
+
+void start_discrete_set(const Record& record, const Block& block, Reading& reading)
+{
+    start_set(record, block, Kind::discrete_set, reading.model.discrete_sets, reading);
+}
+
+constexpr Translator keywords[] = {
+    {"SET_NODE_LIST", Phase::sets, start_node_set},
+    {"SET_NODE_LIST_GENERATE", Phase::sets, start_node_set},
+    {"SET_NODE_LIST_GENERATE_INCREMENT", Phase::sets, start_node_set},
+    {"SET_NODE_COLUMN", Phase::sets, start_node_set},
+    {"SET_NODE_GENERAL", Phase::sets, start_node_set},
+    {"SET_NODE_ADD", Phase::sets, start_node_set},
+    {"SET_NODE_INTERSECT", Phase::sets, start_node_set},
+    {"SET_PART_LIST", Phase::sets, start_part_set},
+    {"SET_PART_LIST_GENERATE", Phase::sets, start_part_set},
+    {"SET_PART_LIST_GENERATE_INCREMENT", Phase::sets, start_part_set},
+    {"SET_PART_COLUMN", Phase::sets, start_part_set},
+    {"SET_PART_GENERAL", Phase::sets, start_part_set},
+    {"SET_PART_ADD", Phase::sets, start_part_set},
+    {"SET_SEGMENT", Phase::sets, start_segment_set},
+    {"SET_SEGMENT_ADD", Phase::sets, start_segment_set},
+    {"SET_SEGMENT_GENERAL", Phase::sets, start_segment_set},
+    {"SET_SHELL_LIST", Phase::sets, start_shell_set},
+    {"SET_SHELL_LIST_GENERATE", Phase::sets, start_shell_set},
+    {"SET_SHELL_LIST_GENERATE_INCREMENT", Phase::sets, start_shell_set},
+    {"SET_SHELL_COLUMN", Phase::sets, start_shell_set},
+    {"SET_SHELL_GENERAL", Phase::sets, start_shell_set},
+    {"SET_SHELL_ADD", Phase::sets, start_shell_set},
+    {"SET_SHELL_INTERSECT", Phase::sets, start_shell_set},
+    {"SET_SOLID", Phase::sets, start_solid_set},
+    {"SET_SOLID_GENERATE", Phase::sets, start_solid_set},
+    {"SET_SOLID_GENERATE_INCREMENT", Phase::sets, start_solid_set},
+    {"SET_SOLID_GENERAL", Phase::sets, start_solid_set},
+    {"SET_SOLID_ADD", Phase::sets, start_solid_set},
+    {"SET_BEAM", Phase::sets, start_beam_set},
+    {"SET_BEAM_ADD", Phase::sets, start_beam_set},
+    {"SET_BEAM_INTERSECT", Phase::sets, start_beam_set},
+    {"SET_BEAM_GENERAL", Phase::sets, start_beam_set},
+    {"SET_BEAM_GENERATE", Phase::sets, start_beam_set},
+    {"SET_BEAM_GENERATE_INCREMENT", Phase::sets, start_beam_set},
+    {"SET_TSHELL", Phase::sets, start_thick_shell_set},
+    {"SET_TSHELL_GENERAL", Phase::sets, start_thick_shell_set},
+    {"SET_TSHELL_GENERATE", Phase::sets, start_thick_shell_set},
+    {"SET_DISCRETE", Phase::sets, start_discrete_set},
+    {"SET_DISCRETE_ADD", Phase::sets, start_discrete_set},
+    {"SET_DISCRETE_GENERAL", Phase::sets, start_discrete_set},
+    {"SET_DISCRETE_GENERATE", Phase::sets, start_discrete_set},
+};
+
+} // namespace
+
+std::span<const Translator> set_keywords()
+{
+    return keywords;
+}
+
+void finish_sets(Reading& reading)
+{
+    SetResolver(reading).run();
+    reading.pending_sets.clear();
+}
+
+std::vector<Index> nodes_of_parts(const Model& model, const std::vector<Index>& parts)
+{
+    std::vector<bool> wanted(model.parts.size()), used(model.nodes.size());
+    for (Index part : parts) wanted[part] = true;
+    for_each_topology(model, [&](const auto& elements) {
+        for (std::size_t i = 0; i < elements.size(); ++i)
+            if (wanted[elements.part[i]])
+                for (Index node : elements.nodes[i])
+                    if (node != none) used[node] = true;
+    });
+    for (std::size_t i = 0; i < model.particles.size(); ++i)
+        if (wanted[model.particles.part[i]]) used[model.particles.node[i]] = true;
+    std::vector<Index> nodes;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) nodes.push_back(static_cast<Index>(i));
+    return nodes;
+}
+
+std::vector<Index> all_nodes(const Model& model)
+{
+    std::vector<Index> nodes(model.nodes.size());
+    std::iota(nodes.begin(), nodes.end(), 0);
+    return nodes;
+}
+
+} // namespace plash

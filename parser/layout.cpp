@@ -1,0 +1,142 @@
+#include "parser/layout.h"
+
+#include "parser/layout_text.h"
+#include "parser/layout_texts.h"
+#include "parser/number.h"
+
+#include <algorithm>
+
+namespace plash {
+namespace {
+
+/// Spelling that does not depend on case or on `-` against `_`.
+std::string index_form(std::string_view name)
+{
+    std::string form(name);
+    for (char& character : form) {
+        if (character >= 'a' && character <= 'z') character -= 'a' - 'A';
+        if (character == '-') character = '_';
+    }
+    return form;
+}
+
+std::vector<std::string> split_at_underscores(std::string_view name)
+{
+    std::vector<std::string> tokens;
+    for (;;) {
+        const auto end = name.find('_');
+        tokens.emplace_back(name.substr(0, end));
+        if (end == std::string_view::npos) return tokens;
+        name.remove_prefix(end + 1);
+    }
+}
+
+std::string join(const std::vector<std::string>& tokens, std::size_t begin, std::size_t end)
+{
+    std::string text;
+    for (std::size_t i = begin; i < end; ++i) {
+        if (i > begin) text += '_';
+        text += tokens[i];
+    }
+    return text;
+}
+
+/// MAT_24 and MAT_024 are one keyword, as are EOS_1 and EOS_001.
+void pad_law_number(std::vector<std::string>& tokens)
+{
+    if (tokens.size() < 2 || (tokens[0] != "MAT" && tokens[0] != "EOS")) return;
+    std::string& number = tokens[1];
+    if (!number.empty() && number.size() < 3 && std::all_of(number.begin(), number.end(), [](char character) {
+            return character >= '0' && character <= '9';
+        }))
+        number.insert(0, 3 - number.size(), '0');
+}
+
+/// Options may hold underscores themselves: splits `tokens` from `begin` on into options of the layout.
+bool split_options(const KeywordLayout& layout, const std::vector<std::string>& tokens, std::size_t begin,
+                   std::vector<std::string>& options)
+{
+    while (begin < tokens.size()) {
+        std::size_t end = tokens.size();
+        while (end > begin && !layout.option(join(tokens, begin, end))) --end;
+        if (end == begin) return false;
+        options.push_back(join(tokens, begin, end));
+        begin = end;
+    }
+    return true;
+}
+
+} // namespace
+
+bool KeywordLayout::honours(std::string_view field) const
+{
+    return all_honoured || std::find(honoured.begin(), honoured.end(), field) != honoured.end();
+}
+
+const OptionLayout* KeywordLayout::option(std::string_view option_name) const
+{
+    for (const OptionLayout& option : options)
+        if (option.name == option_name) return &option;
+    return nullptr;
+}
+
+Kind KeywordLayout::defines() const
+{
+    for (const CardLayout& card : cards)
+        for (const FieldLayout& field : card.fields)
+            if (field.defines) return field.kind;
+    return Kind::none;
+}
+
+LayoutTable::LayoutTable(const std::vector<std::string_view>& texts)
+{
+    for (std::string_view text : texts) parse_layouts(text, layouts_);
+    for (const auto& layout : layouts_) {
+        by_name_.emplace(index_form(layout->name), layout.get());
+        for (const std::string& alias : layout->aliases) by_name_.emplace(index_form(alias), layout.get());
+    }
+}
+
+const KeywordLayout* LayoutTable::find(std::string_view name) const
+{
+    const auto found = by_name_.find(index_form(name));
+    return found == by_name_.end() ? nullptr : found->second;
+}
+
+KeywordName LayoutTable::resolve(std::string_view written) const
+{
+    KeywordName result;
+    std::vector<std::string> tokens = split_at_underscores(index_form(trimmed(written)));
+    pad_law_number(tokens);
+    // The longest known name in front, the rest must be its options.
+    const auto try_tokens = [&](const std::vector<std::string>& parts, std::vector<std::string> options) {
+        for (std::size_t length = parts.size(); length > 0; --length) {
+            const KeywordLayout* layout = find(join(parts, 0, length));
+            if (!layout) continue;
+            std::vector<std::string> all = options;
+            if (!split_options(*layout, parts, length, all)) continue;
+            if (!std::all_of(options.begin(), options.end(),
+                             [&](const std::string& o) { return layout->option(o); }))
+                continue;
+            result = {layout, layout->name, std::move(all)};
+            return true;
+        }
+        return false;
+    };
+    if (try_tokens(tokens, {})) return result;
+    // Options in the middle of the name: ..._ID_BEAM_OFFSET_MPP.
+    std::vector<std::string> rest, options;
+    for (const std::string& token : tokens)
+        (token == "ID" || token == "TITLE" || token == "MPP" ? options : rest).push_back(token);
+    if (!options.empty() && try_tokens(rest, options)) return result;
+    result.name = join(tokens, 0, tokens.size());
+    return result;
+}
+
+const LayoutTable& layout_table()
+{
+    static const LayoutTable table(layout_texts());
+    return table;
+}
+
+} // namespace plash

@@ -1,0 +1,149 @@
+#pragma once
+
+#include "model/record.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace plash {
+
+/// What an id in a deck is the number of. Where a layout says `curve`, a table or a function may stand too.
+enum class Kind : std::uint8_t {
+    none,
+    node,
+    shell,
+    solid,
+    tetrahedron, ///< ten-node solids; `solid` may name them, too
+    beam,
+    tshell,
+    discrete,
+    mass,
+    inertia,
+    seatbelt,
+    part,
+    rigid_body,
+    section,
+    material,
+    thermal_material,
+    eos,
+    hourglass,
+    curve,
+    table,
+    function,
+    node_set,
+    segment_set,
+    part_set,
+    shell_set,
+    solid_set,
+    beam_set,
+    tshell_set,
+    discrete_set,
+    group_set,
+    box_set,
+    mode_set,
+    coordinate,
+    vector,
+    orientation,
+    box,
+    transformation,
+    friction,
+    count
+};
+
+/// For messages: "node set", "curve, table or function" ...
+std::string_view to_string(Kind kind);
+
+enum class FieldType : std::uint8_t { real, integer, text };
+
+/// One column of a card.
+struct FieldLayout {
+    std::string name; ///< manual name; empty for columns without meaning
+    FieldType type = FieldType::real;
+    Kind kind = Kind::none; ///< whose number it is
+    bool defines = false;   ///< it is the number of the definition itself
+    int width = 10;         ///< columns in the small format
+    bool has_default = false;
+    double default_value = 0;
+    std::string default_text;
+};
+
+/// One line of a definition, or lines that repeat.
+struct CardLayout {
+    enum class Repeat {
+        once,
+        rows, ///< one row of a table per repetition of the card (or of `group`)
+        list  ///< values (or tuples) packed `per_line` to a line: one row of a table each
+    };
+    Repeat repeat = Repeat::once;
+    bool optional = false; ///< present when another data line follows
+    std::string condition; ///< present when it holds ("ELFORM in 101..105"), "&": when the line starts so
+    std::string count;     ///< of rows or list entries ("NPLANE*NTHICK"); empty: until the next keyword
+    int per_line = 1;      ///< of `list`
+    std::vector<FieldLayout> fields;
+    std::vector<CardLayout> group; ///< cards that repeat, or depend on the condition, together
+};
+
+/// A suffix of the keyword that adds lines.
+struct OptionLayout {
+    std::string name;
+    static constexpr int before_all = -1, behind_all = -2;
+    int after = before_all; ///< card (from 0) behind which its lines stand
+    std::vector<CardLayout> cards;
+};
+
+enum class Treatment : std::uint8_t {
+    read,   ///< translated into the Model; physics does not use it yet
+    run,    ///< honoured
+    ignored ///< harmless, see `reason`
+};
+
+/// What is known of one keyword, from the files in parser/layouts.
+struct KeywordLayout {
+    std::string name; ///< canonical, without options
+    std::vector<std::string> aliases;
+    std::vector<CardLayout> cards;
+    std::vector<OptionLayout> options; ///< in the order of their lines
+    Treatment treatment = Treatment::read;
+    std::string reason;                                              ///< why it may be ignored
+    bool all_honoured = false;                                       ///< `run: all`
+    std::vector<std::string> honoured;                               ///< fields that physics uses
+    std::vector<std::pair<std::string, std::string>> ignored_fields; ///< name, why it changes nothing
+
+    bool honours(std::string_view field) const;
+    const OptionLayout* option(std::string_view name) const;
+    /// What this keyword defines the number of (a material, a section ...), or Kind::none.
+    Kind defines() const;
+};
+
+/// A keyword as a deck writes it, taken apart.
+struct KeywordName {
+    const KeywordLayout* layout = nullptr; ///< nullptr: unknown
+    std::string name;                      ///< canonical, or as written when unknown
+    std::vector<std::string> options;      ///< suffixes that were split off: "TITLE", "ID", "MPP" ...
+};
+
+/// All keywords that Plash knows.
+class LayoutTable {
+public:
+    /// Reads layout text (its grammar stands in docs/layouts.md). Throws std::runtime_error on a mistake in
+    /// it.
+    explicit LayoutTable(const std::vector<std::string_view>& texts);
+
+    /// Finds the keyword of a name in any spelling: aliases, `-` for `_`, options in any order.
+    KeywordName resolve(std::string_view written) const;
+    const KeywordLayout* find(std::string_view name) const;
+    const std::vector<std::unique_ptr<KeywordLayout>>& all() const { return layouts_; }
+
+private:
+    std::vector<std::unique_ptr<KeywordLayout>> layouts_;
+    std::unordered_map<std::string, const KeywordLayout*> by_name_;
+};
+
+/// The table built from parser/layouts/*.txt.
+const LayoutTable& layout_table();
+
+} // namespace plash

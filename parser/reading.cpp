@@ -1,0 +1,43 @@
+#include "parser/reading.h"
+
+namespace plash {
+namespace {
+
+/// Every family of keywords that has a translation of its own.
+constexpr std::span<const Translator> (*families[])() = {
+    node_keywords,       solid_keywords,    shell_keywords,   element_keywords,
+    property_keywords,   part_keywords,     curve_keywords,   geometry_keywords,
+    set_keywords,        boundary_keywords, load_keywords,    initial_keywords,
+    rigid_wall_keywords, contact_keywords,  control_keywords, database_keywords,
+};
+
+bool matches(std::string_view pattern, std::string_view keyword)
+{
+    if (!pattern.ends_with('*')) return pattern == keyword;
+    pattern.remove_suffix(1);
+    return keyword.starts_with(pattern);
+}
+
+} // namespace
+
+void Reading::error(const Record& record, std::string_view field, std::string text)
+{
+    const Record::Field* found = record.peek(field);
+    report.error(found ? found->where : record.where, record.keyword, field, std::move(text));
+}
+
+void Reading::warning(const Record& record, std::string_view field, std::string text)
+{
+    const Record::Field* found = record.peek(field);
+    report.warning(found ? found->where : record.where, record.keyword, field, std::move(text));
+}
+
+const Translator* find_translator(std::string_view keyword)
+{
+    for (const auto family : families)
+        for (const Translator& translator : family())
+            if (matches(translator.keyword, keyword)) return &translator;
+    return nullptr;
+}
+
+} // namespace plash

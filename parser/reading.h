@@ -1,0 +1,137 @@
+#pragma once
+
+#include "model/model.h"
+#include "parser/deck.h"
+#include "parser/definition_reader.h"
+#include "parser/id_table.h"
+#include "parser/transformation.h"
+
+#include <array>
+#include <functional>
+#include <span>
+
+namespace plash {
+
+/// Work that turns blocks into the Model goes in this order, so that a definition finds what it refers to.
+enum class Phase : std::uint8_t {
+    nodes,
+    properties, ///< sections, materials, curves, coordinate systems ...
+    parts,
+    elements,
+    sets,
+    conditions ///< everything else
+};
+inline constexpr Phase last_phase = Phase::conditions;
+
+/// A set as the deck describes it, until all elements and other sets are known.
+struct PendingSet {
+    Kind kind;
+    Index index; ///< into the Model's sets of this kind
+    Record record;
+    const Block* block;
+};
+
+/// *CONTROL_CONTACT, until all contacts are read.
+struct ContactDefaults {
+    double penalty_scale = 0.1;
+    int penalty_option = 1;
+    int thickness_option = 0;
+    int initial_penetration = 0;
+    bool keep_eroded_nodes = false;
+    bool limit_thickness = true;
+    bool square_edges = false;
+    double static_friction = 0, dynamic_friction = 0;
+};
+
+/// Everything that translators work on: the deck as written, the Model that grows, numbers seen so far.
+struct Reading {
+    const Deck& deck;
+    Model& model;
+    Report& report;
+    Reading(const Deck& the_deck, Model& the_model, Report& the_report)
+        : deck(the_deck), model(the_model), report(the_report)
+    {}
+
+    std::array<IdTable, static_cast<std::size_t>(Kind::count)> ids;
+
+    std::map<Id, Record> transformations; ///< *DEFINE_TRANSFORMATION
+    std::vector<std::pair<const Block*, Index>>
+        moved_nodes;                                   ///< first node of each block that an include moves
+    std::map<const IncludeTransform*, Affine> motions; ///< of the includes that move what they hold
+    std::vector<PendingSet> pending_sets;
+    std::vector<Index> parts_without_section, parts_without_material; ///< SECID, MID left at zero
+    std::vector<Index> body_load_parts;                               ///< of *LOAD_BODY_PARTS
+    ContactDefaults contact_defaults;
+
+    IdTable& table(Kind kind) { return ids[static_cast<std::size_t>(kind)]; }
+
+    /// Position of the thing that an id field names; `none` when the field is empty or names nothing
+    /// (dangling references are reported for all keywords alike, not here).
+    Index find(const Record& record, std::string_view field, Kind kind)
+    {
+        const Id id = record.integer(field);
+        return id == 0 ? none : table(kind).find(id);
+    }
+
+    /// What the include of a block does to its points and directions.
+    Affine motion_of(const Block& block) const
+    {
+        const auto found = motions.find(block.transform);
+        return found == motions.end() ? Affine{} : found->second;
+    }
+
+    void error(const Record& record, std::string_view field, std::string text);
+    void warning(const Record& record, std::string_view field, std::string text);
+};
+
+/// Turns one definition of a keyword into the Model.
+using Translate = void (*)(const Record& record, const Block& block, Reading& reading);
+
+/// Turns a whole block into the Model without Records: the fast path of long lists.
+using TranslateBlock = void (*)(const Block& block, Reading& reading);
+
+/// One line of a family's list of keywords.
+struct Translator {
+    std::string_view keyword; ///< canonical name; a trailing `*` stands for any ending
+    Phase phase;
+    Translate definition = nullptr;
+    TranslateBlock block = nullptr;
+};
+
+/// The keyword families, one function for each file of parser/keywords.
+std::span<const Translator> node_keywords();
+std::span<const Translator> solid_keywords();
+std::span<const Translator> shell_keywords();
+std::span<const Translator> element_keywords();
+std::span<const Translator> property_keywords();
+std::span<const Translator> part_keywords();
+std::span<const Translator> curve_keywords();
+std::span<const Translator> geometry_keywords();
+std::span<const Translator> set_keywords();
+std::span<const Translator> boundary_keywords();
+std::span<const Translator> load_keywords();
+std::span<const Translator> initial_keywords();
+std::span<const Translator> rigid_wall_keywords();
+std::span<const Translator> contact_keywords();
+std::span<const Translator> control_keywords();
+std::span<const Translator> database_keywords();
+
+/// Moves the nodes of includes as their transformations say.
+void move_included_nodes(Reading& reading);
+
+/// What needs the whole deck: curves of tables, members of sets, *LOAD_BODY_PARTS, *CONTROL_CONTACT.
+void finish_tables(Reading& reading);
+void finish_sets(Reading& reading);
+void finish_loads(Reading& reading);
+void finish_contacts(Reading& reading);
+
+/// Nodes of the elements of some parts, each once, in rising order.
+std::vector<Index> nodes_of_parts(const Model& model, const std::vector<Index>& parts);
+
+/// Every node of the Model.
+std::vector<Index> all_nodes(const Model& model);
+
+/// The translator of a keyword; nullptr when it goes into Model::others as it is.
+const Translator* find_translator(std::string_view keyword);
+
+} // namespace plash

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/recorder.h"
+#include "solver/scene.h"
+
+#include <atomic>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace plash {
+
+using Recorders = std::vector<std::unique_ptr<Recorder>>;
+
+/// How and how far to run.
+struct RunOptions {
+    double end_time = std::numeric_limits<double>::infinity(); ///< overrides a later ENDTIM [time]
+    const std::atomic<bool>* stop_requested = nullptr;         ///< set from outside (Ctrl-C) to end in order
+};
+
+/// How a run ended, and what it took.
+struct Outcome {
+    enum class Termination { normal, error, stopped };
+    Termination termination = Termination::normal;
+    std::string message;
+    Clock clock;
+    double end_time = 0;
+    double first_step = 0;
+    double last_step = 0;
+    double wall_seconds = 0;
+    std::vector<double> term_seconds; ///< by term of the scene
+};
+
+/// Central difference in LS-DYNA's staggering: velocities at n+1/2, positions and forces at n
+/// (Hallquist 2006, chapter 'Time integration').
+Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options = {});
+
+} // namespace plash

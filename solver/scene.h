@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/energy_ledger.h"
+#include "core/recorder.h"
+#include "core/state.h"
+#include "core/term.h"
+#include "model/model.h"
+
+#include <memory>
+#include <vector>
+
+namespace plash {
+
+/// The state and exactly the terms that a Model needs.
+struct Scene {
+    const Model& model;
+    State state;
+    std::vector<std::unique_ptr<Term>> terms;
+    EnergyLedger ledger;
+    double added_mass_ratio = 0; ///< mass added for *CONTROL_TIMESTEP DT2MS over the mass of the deck [-]
+};
+
+/// Builds the scene at t = 0: masses, terms, initial velocities. DeckError where the deck asks for physics
+/// that is not there or makes no sense. The Model must outlive the scene.
+Scene make_scene(const Model& model);
+
+} // namespace plash

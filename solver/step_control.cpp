@@ -1,0 +1,40 @@
+#include "solver/step_control.h"
+
+#include "core/run_error.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace plash {
+
+void StepControl::choose(Clock& clock, const std::vector<std::unique_ptr<Term>>& terms)
+{
+    owner_ = StepVote::nothing();
+    for (const auto& term : terms) {
+        const StepVote vote = term->stable_step();
+        if (vote.step < owner_.step) owner_ = vote;
+    }
+    const TimeControls& control = model_.controls.time;
+    const double scale = control.step_scale;
+    double step = scale * owner_.step;
+    if (control.mass_scaled_step > 0) step = scale * control.mass_scaled_step;
+    if (control.largest_step_curve != none) {
+        step = std::min(step, model_.curves[control.largest_step_curve].curve(clock.time));
+    }
+    if (clock.cycle == 0 && control.initial_step > 0) step = std::min(step, control.initial_step);
+    if (!std::isfinite(step)) step = control.end_time > 0 ? control.end_time / 1000 : 0;
+    if (!(step > 0)) {
+        throw RunError(fmt::format("the stable step is {} ({} {} of part {})", owner_.step, owner_.kind,
+                                   owner_.element, owner_.part));
+    }
+    if (first_step_ == 0) first_step_ = step;
+    if (step < control.smallest_step_factor * first_step_) {
+        throw RunError(fmt::format("the step {:.4e} fell below DTMIN = {:g} of the first one, {:.4e}; it is "
+                                   "limited by {} {} of part {}",
+                                   step, control.smallest_step_factor, first_step_, owner_.kind,
+                                   owner_.element, owner_.part));
+    }
+    clock.step = step;
+}
+
+} // namespace plash

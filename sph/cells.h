@@ -1,0 +1,48 @@
+#pragma once
+
+#include "math/vector3.h"
+#include "model/record.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace plash {
+
+/// Particles sorted into cubic cells. Only cells that hold particles exist, so a splash that flies far costs
+/// nothing; cells follow a Morton curve, so that particles that are close in space are mostly close in
+/// memory. The order is a function of the positions alone: inside a cell particles keep the order in which
+/// they were given.
+class ParticleCells {
+public:
+    /// side  edge of a cell [length]
+    void sort(std::span<const Vec3> position, double side);
+
+    const std::vector<Index>& order() const { return order_; } ///< sorted place -> given particle
+    Index cell_count() const { return static_cast<Index>(key_.size()); }
+    Index begin(Index cell) const { return first_[cell]; } ///< sorted places begin(cell) .. end(cell) - 1
+    Index end(Index cell) const { return first_[cell + 1]; }
+    /// The cell that holds a sorted place.
+    Index cell_of_place(Index place) const;
+
+    /// Occupied cells among a cell and its 26 neighbours, in rising order. Returns their number.
+    int around(Index cell, std::array<Index, 27>& found) const;
+
+private:
+    std::vector<Index> order_;
+    std::vector<std::uint64_t> key_; ///< by cell, rising
+    std::vector<Index> first_;
+    std::vector<Index> table_; ///< open addressing over key_; none = free
+    int table_shift_ = 0;
+
+    void list_cells(const std::vector<std::uint64_t>& sorted_keys);
+    void fill_table();
+    Index find(std::uint64_t key) const;
+};
+
+/// Sorts values by key, stable, keeping `key` and `value` together: radix sort over the low `bits` of the key
+/// with the same result for any number of threads.
+void sort_by_key(std::vector<std::uint64_t>& key, std::vector<Index>& value, int bits);
+
+} // namespace plash

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "eos/response.h"
+#include "materials/null_fluid.h"
+#include "sph/law_lanes.h"
+
+namespace plash {
+
+/// *MAT_NULL with an equation of state: no strength but viscosity, and a pressure that tension cuts off.
+template <class Eos>
+class FluidLaw : public ParticleLaw {
+public:
+    FluidLaw(const NullFluid& fluid, const Eos& eos) : fluid_(fluid), eos_(eos) {}
+
+    double initial_energy() const override { return eos_.energy; }
+    double initial_compression() const override { return 1 / eos_.relative_volume; }
+
+    ParticleVote advance(const PartConstants& part, std::span<const Index> places, double step,
+                         ParticleArrays& arrays) const override
+    {
+        return for_batches(
+            places, [&](std::span<const Index> batch) { return advance_batch(part, batch, step, arrays); });
+    }
+
+private:
+    NullFluid fluid_;
+    Eos eos_;
+
+    ParticleVote advance_batch(const PartConstants& part, std::span<const Index> places, double step,
+                               ParticleArrays& arrays) const
+    {
+        const auto from = [&](const auto& array) {
+            return gather(places, [&](Index p) { return array[p]; });
+        };
+        const Lanes rate = from(arrays.rate), before = from(arrays.density);
+        const Lanes density = advanced_density(part.volume_weighted, before, step * rate);
+        const Lanes inverse_density = 1.0 / density;
+        const Lanes compression = density * (1 / part.density);
+        const PressureStep<Lanes> end =
+            advance_pressure(eos_.evaluate(compression), from(arrays.energy), Lanes{}, from(arrays.pressure),
+                             part.density * (inverse_density - 1.0 / before), fluid_.lowest_pressure);
+        const Lanes stiffness = eos_.evaluate(compression).stiffness(compression, end.pressure, end.energy);
+        const Lanes floor = broadcast<Lanes>(1e-6 * eos_.bulk_modulus);
+        const Lanes sound = sqrt(max(stiffness, floor) * (1 / part.density));
+        const Lanes h = smoothing_length(part, compression,
+                                         gather(places, [&](Index p) { return arrays.motion[p].smoothing; }));
+        const Lanes stable =
+            stable_step(part, h, sound, part.volume_weighted ? rate : rate * inverse_density);
+
+        ParticleVote vote;
+        for (std::size_t l = 0; l < places.size(); ++l) {
+            const Index p = places[l];
+            arrays.density[p] = density[l];
+            arrays.energy[p] = end.energy[l];
+            arrays.pressure[p] = end.pressure[l];
+            set_records(part, p, h[l], sound[l], arrays);
+            set_push(part, p, {-end.pressure[l], -end.pressure[l], -end.pressure[l], 0, 0, 0}, arrays);
+            vote.take({stable[l], p});
+        }
+        return vote;
+    }
+};
+
+} // namespace plash

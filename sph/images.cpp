@@ -1,0 +1,154 @@
+#include "sph/images.h"
+
+#include "core/parallel.h"
+
+#include <cmath>
+
+namespace plash {
+
+namespace {
+
+bool same(const Matrix3& a, const Matrix3& b)
+{
+    for (int i = 0; i < 3; ++i)
+        if (norm(a.row[i] - b.row[i]) > 1e-12) return false;
+    return true;
+}
+
+/// The push tensor as a mirror shows it.
+void turn_tension(const Matrix3& turn, Index source, Index place, ParticleArrays& arrays)
+{
+    const double* t = arrays.tension[source].component;
+    const Matrix3 push{{{t[0], t[1], t[2]}, {t[3], t[4], t[5]}, {t[6], t[7], arrays.push[source].push}}};
+    const Matrix3 shown = turn * push * transpose(turn);
+    arrays.tension[place] = {{shown.row[0].x, shown.row[0].y, shown.row[0].z, shown.row[1].x, shown.row[1].y,
+                              shown.row[1].z, shown.row[2].x, shown.row[2].y}};
+    arrays.push[place].push = shown.row[2].z;
+}
+
+} // namespace
+
+Images::Images(std::span<const MirrorPlane> mirrors, std::span<const PeriodicPair> periods)
+    : mirrors_(mirrors.begin(), mirrors.end()), periods_(periods.begin(), periods.end()), transforms_(1)
+{
+    const Matrix3 identity = Matrix3::identity();
+    for (const PeriodicPair& pair : periods_) {
+        const Vec3 along = unit(pair.period);
+        steps_.push_back({{pair.lower, along, identity, pair.period, identity, {}},
+                          {pair.lower + pair.period, -along, identity, -pair.period, identity, {}}});
+    }
+    for (const MirrorPlane& plane : mirrors_) {
+        const Matrix3 turn = identity + dyad(-2.0 * plane.normal, plane.normal);
+        const Vec3 shift = 2 * dot(plane.point, plane.normal) * plane.normal;
+        const Matrix3 back{{-identity.row[0], -identity.row[1], -identity.row[2]}};
+        if (plane.no_slip) {
+            steps_.push_back({{plane.point, plane.normal, turn, shift, back, 2.0 * plane.velocity}});
+        } else {
+            steps_.push_back({{plane.point, plane.normal, turn, shift, turn, {}}});
+        }
+    }
+}
+
+Index Images::transform_after(Index first, const Step& step)
+{
+    const Transform& before = transforms_[first];
+    const Transform both{step.turn * before.turn, step.turn * before.shift + step.shift,
+                         step.drag * before.drag, step.drag * before.carry + step.carry};
+    for (std::size_t i = 0; i < transforms_.size(); ++i) {
+        const Transform& known = transforms_[i];
+        if (same(known.turn, both.turn) && norm(known.shift - both.shift) <= 1e-12 * norm(both.shift)) {
+            return static_cast<Index>(i);
+        }
+    }
+    transforms_.push_back(both);
+    return static_cast<Index>(transforms_.size()) - 1;
+}
+
+bool Images::wrap(Vec3& position) const
+{
+    bool moved = false;
+    for (const PeriodicPair& pair : periods_) {
+        const double cell =
+            std::floor(dot(position - pair.lower, pair.period) / dot(pair.period, pair.period));
+        if (cell == 0 || !std::isfinite(cell)) continue;
+        position -= cell * pair.period;
+        moved = true;
+    }
+    return moved;
+}
+
+void Images::find(double range, std::vector<Vec3>& position)
+{
+    images_.clear();
+    const std::size_t real_count = position.size();
+    for (const auto& boundary : steps_) {
+        const std::size_t known = position.size(); // images of earlier boundaries are copied too: corners
+        for (const Step& step : boundary) {
+            for (std::size_t i = 0; i < known; ++i) {
+                if (dot(position[i] - step.point, step.normal) >= range) continue;
+                const Image from = i < real_count ? Image{static_cast<Index>(i), 0} : images_[i - real_count];
+                images_.push_back({from.source, transform_after(from.transform, step)});
+                position.push_back(step.turn * position[i] + step.shift);
+            }
+        }
+    }
+}
+
+void Images::settle(ParticleArrays& arrays)
+{
+    if (images_.empty()) return;
+    const std::size_t real_count = arrays.particle.size() - images_.size();
+    std::vector<Index> place(arrays.particle.size());
+    for (std::size_t p = 0; p < place.size(); ++p) place[arrays.particle[p]] = static_cast<Index>(p);
+    place_.assign(place.begin() + static_cast<std::ptrdiff_t>(real_count), place.end());
+    source_place_.resize(images_.size());
+    for (std::size_t k = 0; k < images_.size(); ++k) {
+        source_place_[k] = place[images_[k].source];
+        arrays.part[place_[k]] = arrays.part[source_place_[k]];
+    }
+}
+
+void Images::refresh_motion(ParticleArrays& arrays) const
+{
+    for_chunks(images_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const MotionRecord& source = arrays.motion[source_place_[k]];
+            const Transform& transform = transforms_[images_[k].transform];
+            arrays.motion[place_[k]] = {transform.turn * source.position + transform.shift, source.smoothing,
+                                        transform.turn * source.velocity, source.weight};
+        }
+    });
+}
+
+void Images::refresh_all(ParticleArrays& arrays) const
+{
+    for_chunks(images_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const MotionRecord& source = arrays.motion[source_place_[k]];
+            const Transform& transform = transforms_[images_[k].transform];
+            arrays.motion[place_[k]] = {transform.turn * source.position + transform.shift, source.smoothing,
+                                        transform.drag * source.velocity + transform.carry, source.weight};
+            arrays.push[place_[k]] = arrays.push[source_place_[k]];
+            if (!arrays.tension.empty()) turn_tension(transform.turn, source_place_[k], place_[k], arrays);
+        }
+    });
+}
+
+void Images::reflect_passed(ParticleArrays& arrays, State& state) const
+{
+    if (mirrors_.empty()) return;
+    for (Index place : source_place_) {
+        const Index node = arrays.node[place];
+        for (const MirrorPlane& mirror : mirrors_) {
+            const double gap = dot(state.position[node] - mirror.point, mirror.normal);
+            if (gap >= 0) continue;
+            state.position[node] -= 2 * gap * mirror.normal;
+            state.velocity[node] = mirror.reflected(state.velocity[node]);
+            // The heat of the second half of the step looks at the change of the velocity.
+            arrays.motion[place].velocity = mirror.reflected(arrays.motion[place].velocity);
+            arrays.viscous_force[place] = mirror.reflected(arrays.viscous_force[place]);
+        }
+    }
+}
+
+} // namespace plash

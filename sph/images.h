@@ -1,0 +1,85 @@
+#pragma once
+
+#include "core/state.h"
+#include "math/matrix3.h"
+#include "sph/particle_arrays.h"
+
+#include <span>
+#include <vector>
+
+namespace plash {
+
+/// *BOUNDARY_SPH_SYMMETRY_PLANE: particles see their mirror images behind it, a wall without friction.
+struct MirrorPlane {
+    Vec3 point{};
+    Vec3 normal{};        ///< unit, pointing to the particles
+    bool no_slip = false; ///< images move so that the fluid sticks to the wall, as viscosity sees it
+    Vec3 velocity{};      ///< of the wall in its own plane, with no_slip [velocity]
+
+    Vec3 reflected(const Vec3& direction) const { return direction - 2 * dot(direction, normal) * normal; }
+};
+
+/// *BOUNDARY_SPH_PERIODIC: what leaves through one plane comes in through the other. The planes are parallel;
+/// `period` leads from the lower to the upper one.
+struct PeriodicPair {
+    Vec3 lower{}; ///< a point of the lower plane
+    Vec3 period{};
+};
+
+/// Mirror and periodic copies of the particles near boundaries.
+class Images {
+public:
+    Images() = default;
+    Images(std::span<const MirrorPlane> mirrors, std::span<const PeriodicPair> periods);
+
+    bool any() const { return !steps_.empty(); }
+
+    /// Brings a particle that left through a periodic boundary back in; says whether it moved.
+    bool wrap(Vec3& position) const;
+
+    /// Finds the images of all particles closer than `range` to a boundary, and appends their positions.
+    void find(double range, std::vector<Vec3>& position);
+
+    std::size_t size() const { return images_.size(); }
+
+    /// After sorting: finds where images and their sources stand, and gives images the part of their source.
+    void settle(ParticleArrays& arrays);
+    /// Copies motion from sources to images, as the continuity equation sees walls.
+    void refresh_motion(ParticleArrays& arrays) const;
+    /// Copies motion and push, as pressure and viscosity see walls.
+    void refresh_all(ParticleArrays& arrays) const;
+
+    /// A particle that has passed a mirror changes places with its image: both go on as before.
+    void reflect_passed(ParticleArrays& arrays, State& state) const;
+
+private:
+    struct Image {
+        Index source;    ///< number of the particle that it copies
+        Index transform; ///< which copy it is
+    };
+    /// Copies what stands between two parallel planes beyond one of them.
+    struct Step {
+        Vec3 point{}, normal{}; ///< of the boundary; sources stand within the range on the normal's side
+        Matrix3 turn;           ///< reflection, or identity
+        Vec3 shift{};           ///< position -> turn * position + shift
+        Matrix3 drag;           ///< velocity -> drag * velocity + carry, as viscosity sees it
+        Vec3 carry{};
+    };
+    struct Transform {
+        Matrix3 turn = Matrix3::identity();
+        Vec3 shift{};
+        Matrix3 drag = Matrix3::identity();
+        Vec3 carry{};
+    };
+    std::vector<MirrorPlane> mirrors_;
+    std::vector<PeriodicPair> periods_;
+    std::vector<std::vector<Step>> steps_; ///< by boundary; steps of one boundary do not build on each other
+    std::vector<Transform> transforms_;    ///< the first one is the identity
+    std::vector<Image> images_;
+    std::vector<Index> place_;        ///< by image: its sorted place
+    std::vector<Index> source_place_; ///< by image: its source's sorted place
+
+    Index transform_after(Index first, const Step& step);
+};
+
+} // namespace plash

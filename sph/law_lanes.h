@@ -1,0 +1,102 @@
+#pragma once
+
+#include "sph/particle_law.h"
+
+#include <algorithm>
+
+/// What the laws of particles share: batches of particles at scattered places, density and smoothing length.
+namespace plash {
+
+/// value(place) at up to eight places as one lane value; a short batch repeats its last place.
+template <class Value>
+Lanes gather(std::span<const Index> places, Value&& value)
+{
+    Lanes lanes;
+    for (int l = 0; l < lane_count; ++l) {
+        lanes[l] = value(places[std::min<std::size_t>(l, places.size() - 1)]);
+    }
+    return lanes;
+}
+
+/// work(batch of places) -> ParticleVote for all places, lane_count at a time; the shortest vote.
+template <class Work>
+ParticleVote for_batches(std::span<const Index> places, Work&& work)
+{
+    ParticleVote vote;
+    for (std::size_t first = 0; first < places.size(); first += lane_count) {
+        vote.take(work(places.subspan(first, std::min<std::size_t>(lane_count, places.size() - first))));
+    }
+    return vote;
+}
+
+/// Smoothing length that keeps the mass in a kernel, h^d density = const, within its bounds: the solution of
+/// dh/dt = h div(v) / d. Newton's iteration from the last value, which is close.
+inline Lanes smoothing_length(const PartConstants& part, Lanes compression, Lanes last)
+{
+    const double reference = part.dimension == 2 ? part.smoothing * part.smoothing
+                                                 : part.smoothing * part.smoothing * part.smoothing;
+    const Lanes kept = reference / compression;
+    Lanes h = last;
+    for (int i = 0; i < 3; ++i) {
+        h = part.dimension == 2 ? 0.5 * (h + kept / h) : (1.0 / 3.0) * (2.0 * h + kept / (h * h));
+    }
+    return max(broadcast<Lanes>(part.smallest_smoothing), min(broadcast<Lanes>(part.largest_smoothing), h));
+}
+
+/// Density after a step; `change` is that of the density, or of its logarithm where `logarithmic`. A step may
+/// at most multiply or divide it by three: more is no flow but a fault that the step size will show.
+inline Lanes advanced_density(bool logarithmic, Lanes density, Lanes change)
+{
+    const Lanes one = broadcast<Lanes>(1.0);
+    const Lanes bounded = max(-one, min(one, logarithmic ? change : change / density));
+    if (logarithmic) return density * ((2.0 + bounded) / (2.0 - bounded)); // centred in the step
+    return density * max(1.0 + bounded, one * (1.0 / 3.0));
+}
+
+/// What pair loops see of a particle besides its push, from its new density, smoothing length and sound
+/// speed.
+inline void set_records(const PartConstants& part, Index place, double smoothing, double sound,
+                        ParticleArrays& arrays)
+{
+    const double density = arrays.density[place];
+    MotionRecord& motion = arrays.motion[place];
+    motion.smoothing = smoothing;
+    motion.weight = part.volume_weighted ? arrays.mass[place] / density : arrays.mass[place];
+    PushRecord& push = arrays.push[place];
+    push.scale = part.volume_weighted ? density : 1 / density;
+    push.sound = sound;
+    push.viscosity =
+        (part.dimension + 2) * part.laminar_viscosity * (part.volume_weighted ? 1 : push.scale * push.scale);
+}
+
+/// Push of a stress [stress]: its negative, corrected and scaled; only the pressure where no tensors are
+/// kept.
+inline void set_push(const PartConstants& part, Index place, const SymmetricTensor<double>& stress,
+                     ParticleArrays& arrays)
+{
+    PushRecord& push = arrays.push[place];
+    const double scaling = part.volume_weighted ? -1 : -push.scale * push.scale;
+    if (arrays.tension.empty()) {
+        push.push = scaling / 3 * trace(stress);
+        return;
+    }
+    const SymmetricTensor<double> s = scaling * stress;
+    const SymmetricTensor<double>& b = arrays.correction[place];
+    arrays.tension[place] = {
+        {s.xx * b.xx + s.xy * b.xy + s.zx * b.zx, s.xx * b.xy + s.xy * b.yy + s.zx * b.yz,
+         s.xx * b.zx + s.xy * b.yz + s.zx * b.zz, s.xy * b.xx + s.yy * b.xy + s.yz * b.zx,
+         s.xy * b.xy + s.yy * b.yy + s.yz * b.yz, s.xy * b.zx + s.yy * b.yz + s.yz * b.zz,
+         s.zx * b.xx + s.yz * b.xy + s.zz * b.zx, s.zx * b.xy + s.yz * b.yy + s.zz * b.yz}};
+    push.push = s.zx * b.zx + s.yz * b.yz + s.zz * b.zz;
+}
+
+/// Stable step h / (Q + sqrt(Q^2 + c^2)) with Q = Q2 c + Q1 h |div v| in compression, as for LS-DYNA's
+/// solids. closing  rate of the logarithm of density [1/time]
+inline Lanes stable_step(const PartConstants& part, Lanes h, Lanes sound, Lanes closing)
+{
+    const Lanes damping =
+        part.viscosity.linear * sound + part.viscosity.quadratic * h * max(closing, Lanes{});
+    return h / (damping + sqrt(damping * damping + sound * sound));
+}
+
+} // namespace plash

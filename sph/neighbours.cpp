@@ -1,0 +1,213 @@
+#include "sph/neighbours.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace plash {
+
+namespace {
+
+/// Particles around one cell in contiguous arrays, in sorted order, with room to read a batch past the end.
+struct Candidates {
+    std::vector<double> x, y, z, reach;
+    std::vector<Index> place;
+
+    std::size_t size() const { return place.size(); }
+    void clear()
+    {
+        for (auto* values : {&x, &y, &z, &reach}) values->clear();
+        place.clear();
+    }
+    void add(const SearchInput& input, Index p)
+    {
+        x.push_back(input.position[p].x);
+        y.push_back(input.position[p].y);
+        z.push_back(input.position[p].z);
+        reach.push_back(input.reach[p]);
+        place.push_back(p);
+    }
+    void make_room()
+    {
+        const std::size_t room = size() + lane_count;
+        for (auto* values : {&x, &y, &z, &reach}) values->reserve(room);
+        place.reserve(room);
+    }
+    /// First candidate whose place is not below p.
+    std::size_t first_from(Index p) const
+    {
+        return std::lower_bound(place.begin(), place.end(), p) - place.begin();
+    }
+};
+
+/// What one thread works with.
+struct Scratch {
+    Candidates real, images;
+    std::vector<Index> found;
+    std::vector<std::uint16_t> inside;
+    std::vector<Index> outside;
+};
+
+Lanes load(const double* values)
+{
+    Lanes lanes;
+    std::memcpy(&lanes, values, sizeof lanes);
+    return lanes;
+}
+
+/// Bits of the lanes that are set.
+unsigned bits_of(LaneMask mask)
+{
+#if defined(__AVX512DQ__)
+    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask));
+#else
+    unsigned bits = 0;
+    for (int lane = 0; lane < lane_count; ++lane) bits |= static_cast<unsigned>(mask[lane] & 1) << lane;
+    return bits;
+#endif
+}
+
+/// Writes the places of the set lanes one after another and returns the new end.
+Index* append_set(unsigned bits, const Index* places, Index* end)
+{
+#if defined(__AVX512VL__)
+    const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(places));
+    const auto mask = static_cast<__mmask8>(bits);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(end), _mm256_maskz_compress_epi32(mask, all));
+    return end + std::popcount(bits);
+#else
+    for (; bits != 0; bits &= bits - 1) *end++ = places[std::countr_zero(bits)];
+    return end;
+#endif
+}
+
+/// Appends to `found` the places of candidates first .. last - 1 that particle p reaches.
+Index* find_close(const Candidates& candidates, std::size_t first, std::size_t last, const Vec3& position,
+                  double reach, Index* found)
+{
+    for (std::size_t c = first; c < last; c += lane_count) {
+        const Lanes x = load(&candidates.x[c]) - position.x;
+        const Lanes y = load(&candidates.y[c]) - position.y;
+        const Lanes z = load(&candidates.z[c]) - position.z;
+        const Lanes limit = load(&candidates.reach[c]) + reach;
+        unsigned bits = bits_of(x * x + y * y + z * z < limit * limit);
+        if (last - c < lane_count) bits &= (1u << (last - c)) - 1;
+        found = append_set(bits, &candidates.place[c], found);
+    }
+    return found;
+}
+
+/// Takes the neighbours that p's group does not see out of [begin, end); returns the new end.
+Index* drop_unseen(const SearchInput& input, Index p, Index* begin, Index* end)
+{
+    if (input.sees.empty()) return end;
+    const std::uint64_t seen = input.sees[input.group[p]];
+    return std::remove_if(begin, end, [&](Index other) { return !(seen >> input.group[other] & 1); });
+}
+
+class RunBuilder {
+public:
+    RunBuilder(const ParticleCells& cells, const SearchInput& input, NeighbourRun& run, Scratch& scratch)
+        : cells_(cells), input_(input), run_(run), scratch_(scratch)
+    {}
+
+    void build()
+    {
+        run_.batches.assign(run_.length(), {});
+        scratch_.inside.clear();
+        scratch_.outside.clear();
+        for (Index cell = cells_.cell_of_place(run_.begin);
+             cell < cells_.cell_count() && cells_.begin(cell) < run_.end; ++cell) {
+            collect_candidates(cell);
+            const Index first = std::max(run_.begin, cells_.begin(cell));
+            const Index last = std::min(run_.end, cells_.end(cell));
+            for (Index p = first; p < last; ++p) {
+                if (!input_.image[p]) list(p);
+            }
+        }
+        // Exact sizes: the lists are most of what a particle costs in memory.
+        run_.inside.assign(scratch_.inside.begin(), scratch_.inside.end());
+        run_.outside.assign(scratch_.outside.begin(), scratch_.outside.end());
+    }
+
+private:
+    const ParticleCells& cells_;
+    const SearchInput& input_;
+    NeighbourRun& run_;
+    Scratch& scratch_;
+    std::size_t run_first_ = 0, run_last_ = 0; ///< real candidates that belong to the run
+
+    void collect_candidates(Index cell)
+    {
+        scratch_.real.clear();
+        scratch_.images.clear();
+        std::array<Index, 27> around;
+        const int count = cells_.around(cell, around);
+        for (int i = 0; i < count; ++i) {
+            for (Index p = cells_.begin(around[i]); p < cells_.end(around[i]); ++p) {
+                (input_.image[p] ? scratch_.images : scratch_.real).add(input_, p);
+            }
+        }
+        run_first_ = scratch_.real.first_from(run_.begin);
+        run_last_ = scratch_.real.first_from(run_.end);
+        scratch_.real.make_room();
+        scratch_.images.make_room();
+        scratch_.found.resize(scratch_.real.size() + scratch_.images.size() + 2 * lane_count);
+    }
+
+    void list(Index p)
+    {
+        const Candidates& real = scratch_.real;
+        const Vec3& position = input_.position[p];
+        const double reach = input_.reach[p];
+        Index* const begin = scratch_.found.data();
+        NeighbourRun::Batches& batches = run_.batches[p - run_.begin];
+
+        Index* end = find_close(real, real.first_from(p + 1), run_last_, position, reach, begin);
+        end = drop_unseen(input_, p, begin, end);
+        batches.inside = batch_count(end - begin);
+        for (Index* other = begin; other < end; ++other) scratch_.inside.push_back(*other - run_.begin);
+        while (scratch_.inside.size() % lane_count != 0) scratch_.inside.push_back(p - run_.begin);
+
+        end = find_close(real, 0, run_first_, position, reach, begin);
+        end = find_close(real, run_last_, real.size(), position, reach, end);
+        end = find_close(scratch_.images, 0, scratch_.images.size(), position, reach, end);
+        end = drop_unseen(input_, p, begin, end);
+        batches.outside = batch_count(end - begin);
+        scratch_.outside.insert(scratch_.outside.end(), begin, end);
+        while (scratch_.outside.size() % lane_count != 0) scratch_.outside.push_back(p);
+    }
+
+    static std::uint16_t batch_count(std::ptrdiff_t neighbours)
+    {
+        return static_cast<std::uint16_t>((neighbours + lane_count - 1) / lane_count);
+    }
+};
+
+/// Runs of a length that depends on the number of particles alone: long ones hold more pairs inside, but a
+/// body must have enough of them to feed many threads.
+void cut_runs(Index particles, std::vector<NeighbourRun>& runs)
+{
+    const Index length = std::clamp<Index>(particles / 64, 256, longest_run);
+    runs.resize((particles + length - 1) / length);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        runs[i].begin = static_cast<Index>(i) * length;
+        runs[i].end = std::min(particles, runs[i].begin + length);
+    }
+}
+
+} // namespace
+
+void build_neighbours(const ParticleCells& cells, const SearchInput& input, std::vector<NeighbourRun>& runs)
+{
+    cut_runs(static_cast<Index>(input.position.size()), runs);
+    const auto count = static_cast<std::ptrdiff_t>(runs.size());
+#pragma omp parallel if (count > 1)
+    {
+        Scratch scratch;
+#pragma omp for schedule(dynamic)
+        for (std::ptrdiff_t i = 0; i < count; ++i) RunBuilder(cells, input, runs[i], scratch).build();
+    }
+}
+
+} // namespace plash

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "math/lanes.h"
+#include "sph/cells.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace plash {
+
+/// What the search needs to know of particles, by sorted place.
+struct SearchInput {
+    std::span<const Vec3> position; ///< [length]
+    std::span<const double> reach;  ///< half of the distance below which equal particles are listed [length]
+    /// By sorted place: 1 for a mirror or periodic image. Images are listed as neighbours, but have none of
+    /// their own.
+    std::span<const std::uint8_t> image;
+    /// Groups of particles and who sees whom: particles a and b are neighbours when bit group[b] of
+    /// sees[group[a]] is set. Empty: all see all.
+    std::span<const std::uint8_t> group;
+    std::span<const std::uint64_t> sees;
+};
+
+/// Neighbours of a run of consecutive sorted particles [begin, end). A pair with both particles in the run
+/// and neither an image stands once, with the one that comes first ("inside"): the pair loop adds to both
+/// sides. Any other pair stands with each of its real particles ("outside"). So a run is worked on by one
+/// thread without touching what others write, in an order that depends on the positions alone.
+///
+/// Lists go in batches of lane_count; the last batch is filled up with the particle itself, which exerts
+/// nothing on itself.
+struct NeighbourRun {
+    struct Batches {
+        std::uint16_t inside = 0, outside = 0;
+    };
+    Index begin = 0, end = 0;
+    std::vector<Batches> batches;      ///< by particle of the run
+    std::vector<std::uint16_t> inside; ///< offsets from `begin`
+    std::vector<Index> outside;        ///< sorted places
+
+    Index length() const { return end - begin; }
+};
+
+/// Longest run; offsets in a run fit sixteen bits.
+inline constexpr Index longest_run = 4096;
+
+/// Lists of all pairs closer than the sum of their reaches. `cells` must have sorted `input.position` with a
+/// side of at least the largest sum.
+void build_neighbours(const ParticleCells& cells, const SearchInput& input, std::vector<NeighbourRun>& runs);
+
+} // namespace plash

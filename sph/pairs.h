@@ -1,0 +1,108 @@
+#pragma once
+
+#include "math/lane_lines.h"
+#include "math/vector3.h"
+#include "sph/kernels.h"
+#include "sph/neighbours.h"
+
+#include <vector>
+
+namespace plash {
+
+/// What every pair loop needs of a particle: one cache line, by sorted place.
+struct alignas(64) MotionRecord {
+    Vec3 position;     ///< at n [length]
+    double smoothing;  ///< h [length]
+    Vec3 velocity;     ///< at n - 1/2 [velocity]
+    double weight = 0; ///< mass, or volume mass / density for the volume-weighted forms [mass] or [volume]
+};
+static_assert(sizeof(MotionRecord) == 64);
+
+/// What the force loop needs besides: half a cache line. "Scaled" is by 1 / density^2 where weights are
+/// masses, and by 1 where they are volumes.
+struct alignas(32) PushRecord {
+    double push = 0;      ///< scaled pressure
+    double scale = 0;     ///< 1 / density where weights are masses, density where they are volumes
+    double sound = 0;     ///< speed of sound [velocity]
+    double viscosity = 0; ///< scaled laminar viscosity: (dimension + 2) * dynamic viscosity * scaling
+};
+static_assert(sizeof(PushRecord) == 32);
+
+/// Push as a tensor, where stresses have shear or gradients are corrected: one cache line. The scaled
+/// negative of stress times correction.
+struct alignas(64) TensionRecord {
+    double component[8] = {}; ///< xx xy xz yx yy yz zx zy; zz is the push of the PushRecord
+};
+
+/// One particle, or a batch of neighbours, in lanes.
+template <class Lane>
+struct Moving {
+    Vector3<Lane> position, velocity;
+    Lane smoothing, weight;
+
+    template <class Place>
+    static Moving load(const MotionRecord* records, const Place* place)
+    {
+        Lane value[8];
+        load_lines(&records->position.x, place, value);
+        return {{value[0], value[1], value[2]}, {value[4], value[5], value[6]}, value[3], value[7]};
+    }
+    static Moving same(const MotionRecord& a)
+    {
+        const auto lanes = [](double value) { return broadcast<Lane>(value); };
+        return {{lanes(a.position.x), lanes(a.position.y), lanes(a.position.z)},
+                {lanes(a.velocity.x), lanes(a.velocity.y), lanes(a.velocity.z)},
+                lanes(a.smoothing),
+                lanes(a.weight)};
+    }
+};
+
+/// Kernel of a run, with what its gradient needs: for a pair at distance r with mean smoothing length h,
+/// grad W = -steepness(r, h) * (x_i - x_j).
+template <class Kernel>
+struct Steepness {
+    double norm;
+    double plane; ///< 1 in the plane (W ~ h^-2), 0 in space (W ~ h^-3)
+
+    explicit Steepness(int dimension) : norm(-Kernel::norm(dimension)), plane(dimension == 2 ? 1 : 0) {}
+
+    /// square  r^2 [length^2], not zero; inverse_distance 1 / r; inverse_smoothing 1 / h
+    template <class Lane>
+    Lane operator()(Lane square, Lane inverse_distance, Lane inverse_smoothing) const
+    {
+        const Lane q = square * inverse_distance * inverse_smoothing;
+        const Lane cube = inverse_smoothing * inverse_smoothing * inverse_smoothing;
+        const Lane power = cube * (plane + (1 - plane) * inverse_smoothing);
+        return Kernel::slope(q) * inverse_distance * (norm * power);
+    }
+};
+
+/// Added to squared distances [length^2], so that a particle's own image in a padded batch gives 0 and not
+/// 0/0.
+inline constexpr double tiny_square = 1e-200;
+
+/// Walks all pairs of a run in batches of one lane value. `Pass` has
+///   void open(Index particle)                      particle is counted from the run's begin
+///   void inside(const std::uint16_t* places)       neighbours, counted from the run's begin: both sides add
+///   void outside(const Index* places)              neighbours by sorted place: only the opened particle adds
+///   void close(Index particle)
+template <class Lane, class Pass>
+void walk_pairs(const NeighbourRun& run, Pass& pass)
+{
+    constexpr int width = lanes_in<Lane>;
+    const std::uint16_t* inside = run.inside.data();
+    const Index* outside = run.outside.data();
+    for (Index particle = 0; particle < run.length(); ++particle) {
+        const NeighbourRun::Batches batches = run.batches[particle];
+        pass.open(particle);
+        for (const auto* end = inside + batches.inside * lane_count; inside < end; inside += width) {
+            pass.inside(inside);
+        }
+        for (const auto* end = outside + batches.outside * lane_count; outside < end; outside += width) {
+            pass.outside(outside);
+        }
+        pass.close(particle);
+    }
+}
+
+} // namespace plash

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "math/symmetric_tensor.h"
+#include "math/tensor3.h"
+#include "math/vector3.h"
+#include "model/record.h"
+#include "sph/pairs.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace plash {
+
+/// What a body of particles carries from step to step, by sorted place. The places of images (mirror and
+/// periodic copies) hold only `motion` and `push`, copied from their originals each step.
+struct ParticleArrays {
+    std::vector<MotionRecord> motion;
+    std::vector<PushRecord> push;
+    std::vector<Index> particle;     ///< number in the order of creation; image k is number (real count) + k
+    std::vector<Index> node;         ///< index in the State; none for images
+    std::vector<std::uint8_t> part;  ///< part of the body, not of the Model
+    std::vector<std::uint8_t> image; ///< 1: an image
+    std::vector<double> mass;        ///< [mass]
+    std::vector<double> density;     ///< [mass/volume]
+    std::vector<double> rate;        ///< of density, or of its logarithm where weights are volumes [1/time]
+    std::vector<double> pressure;    ///< [stress]
+    std::vector<double> energy;      ///< internal energy by initial volume [energy/volume]
+    std::vector<Vec3> viscous_force; ///< share of viscosity in the last force [force]
+    std::vector<double> heat;        ///< its heating power [energy/time]
+
+    // Only of bodies whose push is a tensor.
+    std::vector<TensionRecord> tension;
+    std::vector<Tensor3<double>> gradient;           ///< of the velocity, corrected where asked for [1/time]
+    std::vector<SymmetricTensor<double>> correction; ///< of kernel gradients [-]
+    std::vector<SymmetricTensor<double>> stress;     ///< Cauchy, global axes; of solids [stress]
+    std::vector<double> history;                     ///< `history_size` variables of the law a particle
+    int history_size = 0;
+
+    std::vector<Vec3> build_position; ///< at the last neighbour search [length]
+    std::vector<double> build_smoothing;
+
+    Index size() const { return static_cast<Index>(motion.size()); }
+};
+
+} // namespace plash

@@ -1,0 +1,215 @@
+#include "sph/particle_bodies.h"
+
+#include "materials/parameters.h"
+#include "sph/cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace plash {
+
+namespace {
+
+double value_or(double value, double fallback)
+{
+    return value != 0 ? value : fallback; // a zero on LS-DYNA's cards asks for the default
+}
+
+const Record& section_of(const Model& model, const Part& part)
+{
+    if (part.section == none) {
+        throw DeckError(part.where, fmt::format("*PART {} has particles but no section", part.id));
+    }
+    const Record& section = model.sections[part.section];
+    if (section.keyword == "SECTION_SPH") return section;
+    throw DeckError(part.where, fmt::format("*PART {} has particles, but its section {} is *{} instead of "
+                                            "*SECTION_SPH",
+                                            part.id, section.id, section.keyword));
+}
+
+Kernel kernel_of(const Record& section)
+{
+    const Id number = section.integer("SPHKERN");
+    constexpr Kernel kernels[] = {Kernel::cubic_spline, Kernel::quintic_spline, Kernel::quadratic,
+                                  Kernel::quartic_spline};
+    if (number < 0 || number > 3) {
+        reject_field(section, "SPHKERN", fmt::format("there is no kernel {}; there are 0 to 3", number));
+    }
+    return kernels[number];
+}
+
+ArtificialViscosity viscosity_of(const Model& model, const Part& part)
+{
+    const ElementControls& control = model.controls.elements;
+    if (part.hourglass != none) {
+        const Record& record = model.hourglass[part.hourglass];
+        return {value_or(record.real("Q1"), 1.5), value_or(record.real("Q2"), 0.06)};
+    }
+    return {value_or(control.quadratic_viscosity, 1.5), value_or(control.linear_viscosity, 0.06)};
+}
+
+void set_smoothing(const Record& section, const std::vector<Vec3>& positions, PartConstants& constants)
+{
+    const double given = section.real("SPHINI");
+    constants.smoothing =
+        given > 0 ? given : value_or(section.real("CSLH"), 1.2) * particle_spacing(positions);
+    constants.smallest_smoothing = value_or(section.real("HMIN"), 0.2) * constants.smoothing;
+    constants.largest_smoothing = value_or(section.real("HMAX"), 2) * constants.smoothing;
+    if (!(constants.smoothing > 0)) {
+        reject_field(section, "SPHINI",
+                     "two particles at the same place leave no smoothing length; give one");
+    }
+    if (constants.smallest_smoothing > constants.largest_smoothing) {
+        reject_field(section, "HMIN", "the smallest smoothing length is above the largest one, HMAX");
+    }
+}
+
+ParticlePart make_part(const Model& model, Index index, const std::vector<Index>& elements)
+{
+    const Part& source = model.parts[index];
+    const Record& section = section_of(model, source);
+    const ParticleLawOfPart law = particle_law_of(model, source);
+    ParticlePart part;
+    part.model_part = index;
+    part.id = source.id;
+    part.law = law.law;
+    part.constants.density = law.density;
+    part.constants.laminar_viscosity = law.laminar_viscosity;
+    std::vector<Vec3> positions;
+    for (Index element : elements) {
+        const Index node = model.particles.node[element];
+        const double mass = model.particles.mass[element];
+        part.nodes.push_back(node);
+        part.mass.push_back(mass < 0 ? -mass * law.density : mass);
+        positions.push_back(model.nodes.position[node]);
+        if (!(part.mass.back() > 0)) {
+            throw DeckError(source.where, fmt::format("*ELEMENT_SPH {} of part {} has the mass {:g}",
+                                                      model.nodes.id[node], source.id, mass));
+        }
+    }
+    set_smoothing(section, positions, part.constants);
+    for (std::string_view field : {"DEATH", "START"}) {
+        if (section.given(field) && section.real(field) != 0) {
+            reject_field(section, field,
+                         "particles of one section cannot come or go alone; *CONTROL_SPH has DT and "
+                         "START for all");
+        }
+    }
+    part.constants.viscosity = viscosity_of(model, source);
+    return part;
+}
+
+/// What all particles of a body must share, for pairs of particles of two parts have one of each.
+void share(const Model& model, const ParticlePart& part, bool first, ParticleOptions& options)
+{
+    const Part& source = model.parts[part.model_part];
+    const Kernel kernel = kernel_of(section_of(model, source));
+    const ArtificialViscosity& viscosity = part.constants.viscosity;
+    if (first) {
+        options.kernel = kernel;
+        options.viscosity = viscosity;
+    }
+    if (kernel != options.kernel) {
+        throw DeckError(source.where,
+                        fmt::format("*PART {}: all particles must have the same SPHKERN", source.id));
+    }
+    if (viscosity.quadratic != options.viscosity.quadratic || viscosity.linear != options.viscosity.linear) {
+        throw DeckError(
+            source.where,
+            fmt::format("*PART {}: all particles must have the same artificial viscosity; here Q1 = {:g}, "
+                        "Q2 = {:g}, elsewhere {:g}, {:g}",
+                        source.id, viscosity.quadratic, viscosity.linear, options.viscosity.quadratic,
+                        options.viscosity.linear));
+    }
+}
+
+/// Mirrors look at their particles, however the deck has turned them.
+void turn_mirrors(const std::vector<ParticlePart>& parts, const Model& model, ParticleOptions& options)
+{
+    for (MirrorPlane& mirror : options.mirrors) {
+        double side = 0;
+        for (const ParticlePart& part : parts)
+            for (Index node : part.nodes)
+                side += dot(model.nodes.position[node] - mirror.point, mirror.normal);
+        if (side < 0) mirror.normal = -mirror.normal;
+    }
+}
+
+void check_plane(const std::vector<ParticlePart>& parts, const Model& model, const ParticleOptions& options)
+{
+    if (options.dimension != 2 || parts.empty()) return;
+    const double level = model.nodes.position[parts.front().nodes.front()].z;
+    for (const ParticlePart& part : parts)
+        for (Index node : part.nodes) {
+            if (model.nodes.position[node].z == level) continue;
+            throw DeckError(
+                model.parts[part.model_part].where,
+                fmt::format("*CONTROL_SPH, field IDIM: 2 asks for particles in one plane z = const, "
+                            "but particle {} has z = {:g} and others {:g}",
+                            model.nodes.id[node], model.nodes.position[node].z, level));
+        }
+}
+
+} // namespace
+
+double particle_spacing(const std::vector<Vec3>& positions)
+{
+    if (positions.size() < 2) return 0;
+    Vec3 lower = positions.front(), upper = lower;
+    for (const Vec3& p : positions) {
+        lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
+        upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+    }
+    // Nearest distances below the cell's side are right; the others are looked for in wider cells.
+    double side = norm(upper - lower) / std::cbrt(static_cast<double>(positions.size()));
+    double largest = 0;
+    std::vector<Vec3> all = positions;
+    std::vector<char> open(all.size(), 1);
+    for (bool any = side > 0; any; side *= 2) {
+        any = false;
+        ParticleCells cells;
+        cells.sort(all, side);
+        for (Index cell = 0; cell < cells.cell_count(); ++cell) {
+            std::array<Index, 27> around;
+            const int count = cells.around(cell, around);
+            for (Index place = cells.begin(cell); place < cells.end(cell); ++place) {
+                const Index p = cells.order()[place];
+                if (!open[p]) continue;
+                double nearest = side * side;
+                for (int k = 0; k < count; ++k)
+                    for (Index other = cells.begin(around[k]); other < cells.end(around[k]); ++other) {
+                        const Vec3 apart = all[cells.order()[other]] - all[p];
+                        if (other != place) nearest = std::min(nearest, dot(apart, apart));
+                    }
+                open[p] = nearest >= side * side;
+                any = any || open[p];
+                if (!open[p]) largest = std::max(largest, std::sqrt(nearest));
+            }
+        }
+    }
+    return largest;
+}
+
+std::vector<std::unique_ptr<ParticleBody>> make_particle_bodies(const Model& model, State& state)
+{
+    std::vector<std::unique_ptr<ParticleBody>> bodies;
+    if (model.particles.size() == 0) return bodies;
+    std::vector<std::vector<Index>> elements(model.parts.size());
+    for (std::size_t i = 0; i < model.particles.size(); ++i) {
+        elements[model.particles.part[i]].push_back(static_cast<Index>(i));
+    }
+    ParticleOptions options = particle_options_of(model);
+    std::vector<ParticlePart> parts;
+    for (std::size_t part = 0; part < elements.size(); ++part) {
+        if (elements[part].empty()) continue;
+        parts.push_back(make_part(model, static_cast<Index>(part), elements[part]));
+        share(model, parts.back(), parts.size() == 1, options);
+    }
+    turn_mirrors(parts, model, options);
+    check_plane(parts, model, options);
+    bodies.push_back(std::make_unique<ParticleBody>(std::move(parts), std::move(options), model, state));
+    return bodies;
+}
+
+} // namespace plash

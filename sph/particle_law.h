@@ -1,0 +1,50 @@
+#pragma once
+
+#include "sph/pair_force.h"
+#include "sph/particle_arrays.h"
+
+#include <limits>
+#include <span>
+
+namespace plash {
+
+/// What all particles of a part share besides their law.
+struct PartConstants {
+    int dimension = 3;
+    double density = 0;            ///< reference, of the law [mass/volume]
+    bool volume_weighted = false;  ///< weights of pairs are volumes (the fluid forms), not masses
+    double smoothing = 0;          ///< h at the reference density [length]
+    double smallest_smoothing = 0; ///< [length]
+    double largest_smoothing = 0;  ///< [length]
+    ArtificialViscosity viscosity;
+    double laminar_viscosity = 0; ///< dynamic [stress time]
+};
+
+/// The shortest stable step of some particles and whose it is.
+struct ParticleVote {
+    double step = std::numeric_limits<double>::infinity(); ///< [time]
+    Index place = none;                                    ///< sorted place
+
+    void take(const ParticleVote& other)
+    {
+        if (other.step < step) *this = other;
+    }
+};
+
+/// The law of a part: from the density rate to density, energy, pressure and smoothing length at n.
+class ParticleLaw {
+public:
+    virtual ~ParticleLaw() = default;
+
+    virtual double initial_energy() const { return 0; }      ///< by reference volume [energy/volume]
+    virtual double initial_compression() const { return 1; } ///< density over reference density
+    virtual bool has_strength() const { return false; }      ///< needs velocity gradients and a stress tensor
+    virtual int history_size() const { return 0; }           ///< variables of a particle
+    virtual void start_history(double* /*variables*/) const {}
+
+    /// Advances the particles at `places` over the step that ends at n; a step of 0 only evaluates the law.
+    virtual ParticleVote advance(const PartConstants&, std::span<const Index> places, double step,
+                                 ParticleArrays&) const = 0;
+};
+
+} // namespace plash

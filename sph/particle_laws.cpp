@@ -1,0 +1,104 @@
+#include "eos/gruneisen.h"
+#include "eos/linear_polynomial.h"
+#include "materials/elastic.h"
+#include "materials/piecewise_linear_plasticity.h"
+#include "materials/plastic_kinematic.h"
+#include "sph/fluid_law.h"
+#include "sph/particle_bodies.h"
+#include "sph/solid_law.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace plash {
+
+namespace {
+
+template <class Eos>
+ParticleLawOfPart fluid_of(const NullFluid& fluid, const Record& equation_of_state)
+{
+    const Eos eos = Eos::from_record(equation_of_state, fluid.density);
+    return {std::make_shared<FluidLaw<Eos>>(fluid, eos), fluid.density, fluid.viscosity};
+}
+
+ParticleLawOfPart make_fluid(const Record& material, const Record* equation_of_state, const Model&,
+                             const Part& part)
+{
+    if (!equation_of_state) {
+        throw DeckError(part.where,
+                        fmt::format("*PART {}, field EOSID: the particles of *MAT_NULL {} need an "
+                                    "equation of state",
+                                    part.id, material.id));
+    }
+    const NullFluid fluid = NullFluid::from_record(material);
+    if (equation_of_state->keyword == "EOS_GRUNEISEN") return fluid_of<Gruneisen>(fluid, *equation_of_state);
+    if (equation_of_state->keyword == "EOS_LINEAR_POLYNOMIAL") {
+        return fluid_of<LinearPolynomial>(fluid, *equation_of_state);
+    }
+    throw DeckError(equation_of_state->where,
+                    fmt::format("*{} {} is not supported for the particles of part {}; there are "
+                                "EOS_LINEAR_POLYNOMIAL and EOS_GRUNEISEN",
+                                equation_of_state->keyword, equation_of_state->id, part.id));
+}
+
+template <class Material>
+ParticleLawOfPart solid_of(const Material& material)
+{
+    return {std::make_shared<SolidParticleLaw<Material>>(material), material.density, 0};
+}
+
+template <class Material>
+ParticleLawOfPart make_solid(const Record& material, const Record*, const Model& model, const Part&)
+{
+    return solid_of(Material::from_record(material, model));
+}
+
+ParticleLawOfPart make_plastic_kinematic(const Record& material, const Record*, const Model& model,
+                                         const Part&)
+{
+    const auto isotropic = PlasticKinematic<false>::from_record(material, model);
+    if (!isotropic.has_back_stress()) return solid_of(isotropic);
+    return solid_of(PlasticKinematic<true>::from_record(material, model));
+}
+
+/// Material laws that particles can have.
+constexpr struct {
+    std::string_view keyword;
+    ParticleLawOfPart (*make)(const Record& material, const Record* equation_of_state, const Model&,
+                              const Part&);
+} laws[] = {
+    {"MAT_NULL", make_fluid},
+    {"MAT_ELASTIC", make_solid<Elastic>},
+    {"MAT_PLASTIC_KINEMATIC", make_plastic_kinematic},
+    {"MAT_PIECEWISE_LINEAR_PLASTICITY", make_solid<PiecewiseLinearPlasticity>},
+};
+
+} // namespace
+
+ParticleLawOfPart particle_law_of(const Model& model, const Part& part)
+{
+    if (part.material == none) {
+        throw DeckError(part.where, fmt::format("*PART {} has particles but no material", part.id));
+    }
+    const Record& material = model.materials[part.material];
+    const auto* law = std::find_if(std::begin(laws), std::end(laws),
+                                   [&](const auto& entry) { return entry.keyword == material.keyword; });
+    if (law == std::end(laws)) {
+        throw DeckError(material.where,
+                        fmt::format("*{} {} is not supported for the particles of part {}; particles have {}",
+                                    material.keyword, material.id, part.id,
+                                    fmt::join(particle_material_keywords(), ", ")));
+    }
+    const Record* equation_of_state =
+        part.equation_of_state == none ? nullptr : &model.equations_of_state[part.equation_of_state];
+    return law->make(material, equation_of_state, model, part);
+}
+
+std::vector<std::string_view> particle_material_keywords()
+{
+    std::vector<std::string_view> keywords;
+    for (const auto& law : laws) keywords.push_back(law.keyword);
+    return keywords;
+}
+
+} // namespace plash

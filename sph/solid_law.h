@@ -1,0 +1,112 @@
+#pragma once
+
+#include "materials/history.h"
+#include "sph/law_lanes.h"
+
+namespace plash {
+
+/// A particle with strength: any law of materials/ that updates solid stresses. Stress turns with the spin of
+/// the velocity gradient (Hughes & Winget 1980); density follows the volume strain, h the density.
+template <class Material>
+class SolidParticleLaw : public ParticleLaw {
+public:
+    explicit SolidParticleLaw(const Material& material) : material_(material)
+    {
+        const double e = material.young_modulus, nu = material.poisson_ratio;
+        wave_modulus_ = e * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+    }
+
+    bool has_strength() const override { return true; }
+    int history_size() const override { return Material::history_size; }
+    void start_history(double* variables) const override
+    {
+        const auto start = material_.initial_history();
+        std::copy(start.begin(), start.end(), variables);
+    }
+
+    ParticleVote advance(const PartConstants& part, std::span<const Index> places, double step,
+                         ParticleArrays& arrays) const override
+    {
+        return for_batches(
+            places, [&](std::span<const Index> batch) { return advance_batch(part, batch, step, arrays); });
+    }
+
+private:
+    Material material_;
+    double wave_modulus_; ///< of longitudinal waves [stress]
+
+    static Tensor3<Lanes> gather_gradient(std::span<const Index> places, const ParticleArrays& arrays)
+    {
+        const auto from = [&](double Tensor3<double>::*component) {
+            return gather(places, [&](Index p) { return arrays.gradient[p].*component; });
+        };
+        using T = Tensor3<double>;
+        return {from(&T::xx), from(&T::xy), from(&T::xz), from(&T::yx), from(&T::yy),
+                from(&T::yz), from(&T::zx), from(&T::zy), from(&T::zz)};
+    }
+
+    static SymmetricTensor<Lanes> gather_stress(std::span<const Index> places, const ParticleArrays& arrays)
+    {
+        const auto from = [&](double SymmetricTensor<double>::*component) {
+            return gather(places, [&](Index p) { return arrays.stress[p].*component; });
+        };
+        using T = SymmetricTensor<double>;
+        return {from(&T::xx), from(&T::yy), from(&T::zz), from(&T::xy), from(&T::yz), from(&T::zx)};
+    }
+
+    ParticleVote advance_batch(const PartConstants& part, std::span<const Index> places, double step,
+                               ParticleArrays& arrays) const
+    {
+        const auto from = [&](const auto& array) {
+            return gather(places, [&](Index p) { return array[p]; });
+        };
+        const Tensor3<Lanes> gradient = gather_gradient(places, arrays);
+        const SymmetricTensor<Lanes> increment = broadcast<Lanes>(step) * symmetric_part(gradient);
+        const Tensor3<Lanes> rotation =
+            incremental_rotation(broadcast<Lanes>(0.5 * step) * axial_vector(gradient));
+        const Lanes expansion = trace(increment), before = from(arrays.density);
+        const Lanes density = advanced_density(true, before, -expansion);
+
+        std::array<Lanes, Material::history_size> variables;
+        const int stride = arrays.history_size;
+        for (int k = 0; k < Material::history_size; ++k) {
+            variables[k] =
+                gather(places, [&](Index p) { return arrays.history[std::size_t(p) * stride + k]; });
+        }
+        const HistoryView<Lanes> history{variables.data()};
+        SymmetricTensor<Lanes> stress = rotated(gather_stress(places, arrays), rotation);
+        const SymmetricTensor<Lanes> stress_before = stress;
+        if constexpr (requires { material_.rotate_history(history, rotation); }) {
+            material_.rotate_history(history, rotation);
+        }
+        if (step > 0) material_.update(stress, increment, history, step);
+
+        const Lanes compression = density * (1 / part.density);
+        const Lanes middle_volume = part.density * (0.5 / before + 0.5 / density);
+        const Lanes energy =
+            from(arrays.energy) + 0.5 * middle_volume * contract(stress_before + stress, increment);
+        const Lanes sound = sqrt(wave_modulus_ / density);
+        const Lanes h = smoothing_length(part, compression,
+                                         gather(places, [&](Index p) { return arrays.motion[p].smoothing; }));
+        const Lanes stable = stable_step(part, h, sound, -(gradient.xx + gradient.yy + gradient.zz));
+
+        ParticleVote vote;
+        for (std::size_t l = 0; l < places.size(); ++l) {
+            const Index p = places[l];
+            arrays.density[p] = density[l];
+            arrays.energy[p] = energy[l];
+            arrays.stress[p] = {stress.xx[l], stress.yy[l], stress.zz[l],
+                                stress.xy[l], stress.yz[l], stress.zx[l]};
+            arrays.pressure[p] = -trace(arrays.stress[p]) / 3;
+            for (int k = 0; k < Material::history_size; ++k) {
+                arrays.history[std::size_t(p) * stride + k] = variables[k][l];
+            }
+            set_records(part, p, h[l], sound[l], arrays);
+            set_push(part, p, arrays.stress[p], arrays);
+            vote.take({stable[l], p});
+        }
+        return vote;
+    }
+};
+
+} // namespace plash

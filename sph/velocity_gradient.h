@@ -1,0 +1,90 @@
+#pragma once
+
+#include "sph/pairs.h"
+
+namespace plash {
+
+/// Sums of the gradient loop for one particle: two cache lines.
+struct alignas(64) GradientSums {
+    double velocity[9]; ///< sum of weight_j (v_j - v_i) (grad W_ij)^T, by rows
+    double moment[6];   ///< sum of weight_j (x_j - x_i) (grad W_ij)^T: xx, yy, zz, xy, yz, zx
+    double spare;
+};
+static_assert(sizeof(GradientSums) == 128);
+
+/// Gradient of the velocity by pairs, and what corrects it: `velocity` times the inverse of `moment` is exact
+/// for any linear field (Randles & Libersky 1996; Bonet & Lok 1999). Velocities at n - 1/2 at the positions
+/// of n - 1/2.
+template <class Lane, class Kernel>
+class VelocityGradient {
+public:
+    /// sums  by particle of the run, zeroed; in and out
+    VelocityGradient(const MotionRecord* records, Index first, int dimension, double half_step,
+                     GradientSums* sums)
+        : records_(records), run_(records + first), steepness_(dimension), half_step_(half_step), sums_(sums)
+    {}
+
+    void open(Index particle)
+    {
+        own_ = Moving<Lane>::same(run_[particle]);
+        for (auto& line : sum_)
+            for (Lane& sum : line) sum = Lane{};
+    }
+    void inside(const std::uint16_t* places)
+    {
+        Lane to_other[2][8];
+        add_pairs(run_, places, to_other);
+        // Two lines a particle: even and odd lines of the sums.
+        std::uint16_t even[lanes_in<Lane>], odd[lanes_in<Lane>];
+        for (int l = 0; l < lanes_in<Lane>; ++l) {
+            even[l] = 2 * places[l];
+            odd[l] = 2 * places[l] + 1;
+        }
+        add_to_lines(sums_->velocity, even, to_other[0]);
+        add_to_lines(sums_->velocity, odd, to_other[1]);
+    }
+    void outside(const Index* places)
+    {
+        Lane to_other[2][8];
+        add_pairs(records_, places, to_other);
+    }
+    void close(Index particle)
+    {
+        add_sums_to_line(sums_[particle].velocity, sum_[0]);
+        add_sums_to_line(sums_[particle].velocity + 8, sum_[1]);
+    }
+
+private:
+    const MotionRecord* records_;
+    const MotionRecord* run_;
+    Steepness<Kernel> steepness_;
+    double half_step_;
+    GradientSums* sums_;
+    Moving<Lane> own_;
+    Lane sum_[2][8];
+
+    template <class Place>
+    void add_pairs(const MotionRecord* records, const Place* places, Lane (&to_other)[2][8])
+    {
+        const auto other = Moving<Lane>::load(records, places);
+        const Vector3<Lane> velocity = own_.velocity - other.velocity;
+        const Vector3<Lane> apart = own_.position - other.position - broadcast<Lane>(half_step_) * velocity;
+        const Lane square = dot(apart, apart) + tiny_square;
+        const Lane inverse_smoothing = reciprocal(0.5 * (own_.smoothing + other.smoothing));
+        const Vector3<Lane> slope =
+            steepness_(square, reciprocal_root(square), inverse_smoothing) * apart; // -grad W
+        const Lane values[2][8] = {
+            {velocity.x * slope.x, velocity.x * slope.y, velocity.x * slope.z, velocity.y * slope.x,
+             velocity.y * slope.y, velocity.y * slope.z, velocity.z * slope.x, velocity.z * slope.y},
+            {velocity.z * slope.z, apart.x * slope.x, apart.y * slope.y, apart.z * slope.z, apart.x * slope.y,
+             apart.y * slope.z, apart.z * slope.x, Lane{}}};
+        for (int line = 0; line < 2; ++line) {
+            for (int k = 0; k < 8; ++k) {
+                sum_[line][k] += other.weight * values[line][k];
+                to_other[line][k] = own_.weight * values[line][k];
+            }
+        }
+    }
+};
+
+} // namespace plash

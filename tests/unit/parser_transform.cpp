@@ -1,0 +1,128 @@
+// *INCLUDE_TRANSFORM and *DEFINE_TRANSFORMATION: rule 31 of the format.
+
+#include "parser/transformation.h"
+#include "tests/unit/parser_support.h"
+
+#include <cmath>
+
+namespace plash {
+namespace {
+
+// Products of a few rotations: round-off of some 1e-16 on lengths of order one.
+constexpr double tight = 1e-14;
+
+void expect_near(const Vec3& found, const Vec3& wanted)
+{
+    EXPECT_NEAR(found.x, wanted.x, tight);
+    EXPECT_NEAR(found.y, wanted.y, tight);
+    EXPECT_NEAR(found.z, wanted.z, tight);
+}
+
+/// Position of the one node at (1, 0, 0) of an include that is moved by the lines of a transformation.
+Vec3 moved_node(const std::string& lines)
+{
+    const DeckFolder folder;
+    folder.write("mesh.k", "*NODE\n1,1.,0.,0.\n");
+    const ReadResult result =
+        read_model(folder.write("deck.k", "*INCLUDE_TRANSFORM\nmesh.k\n0\n0\n1.,1.,1.\n7\n"
+                                          "*DEFINE_TRANSFORMATION\n7\n" +
+                                              lines));
+    EXPECT_EQ(errors_of(result), "");
+    return result.model.nodes.position.at(0);
+}
+
+} // namespace
+
+TEST(Transformation, EveryOptionMovesAsItSays)
+{
+    expect_near(moved_node("TRANSL,1.,2.,3.\n"), {2, 2, 3});
+    expect_near(moved_node("SCALE,2.,1.,1.\n"), {2, 0, 0});
+    expect_near(moved_node("ROTATE,0.,0.,1.,0.,0.,0.,90.\n"), {0, 1, 0});
+    expect_near(moved_node("ROTATE,0.,0.,1.,0.,1.,0.,90.\n"), {1, 2, 0}); // about an axis through (0, 1, 0)
+    expect_near(moved_node("POINT,1,0.,0.,0.\nPOINT,2,0.,0.,5.\nROTATE,1,2,90.\n"), {0, 1, 0});
+    expect_near(moved_node("MIRROR,3.,0.,0.,4.,0.,0.\n"), {5, 0, 0});
+    expect_near(moved_node("POINT,1,0.,0.,0.\nPOINT,2,1.,0.,0.\nPOINT,3,0.,1.,0.\n"
+                           "POINT,4,5.,0.,0.\nPOINT,5,5.,0.,9.\nPOINT,6,5.,1.,0.\nPOS6P,1,2,3,4,5,6\n"),
+                {5, 0, 1});
+}
+
+TEST(Transformation, LinesActInTheirOrder)
+{
+    expect_near(moved_node("TRANSL,1.,0.,0.\nROTATE,0.,0.,1.,0.,0.,0.,90.\n"), {0, 2, 0});
+    expect_near(moved_node("ROTATE,0.,0.,1.,0.,0.,0.,90.\nTRANSL,1.,0.,0.\n"), {1, 1, 0});
+}
+
+TEST(Transformation, OfAnIncludeInsideAnIncludeActsFirst)
+{
+    const DeckFolder folder;
+    folder.write("inner.k", "*NODE\n1,1.,0.,0.\n");
+    folder.write("outer.k", "*INCLUDE_TRANSFORM\ninner.k\n100\n0\n0.\n1\n*NODE\n2,1.,0.,0.\n");
+    const ReadResult result = read_model(
+        folder.write("deck.k", "*DEFINE_TRANSFORMATION\n1\nTRANSL,1.,0.,0.\n*DEFINE_"
+                               "TRANSFORMATION\n2\nROTATE,0.,0.,1.,0.,0.,0.,90.\n"
+                               "*INCLUDE_TRANSFORM\nouter.k\n1000\n0\n0.\n2\n*NODE\n3,1.,0.,0.\n"));
+    EXPECT_EQ(errors_of(result), "");
+    const Nodes& nodes = result.model.nodes;
+    EXPECT_EQ(nodes.id, (std::vector<Id>{1101, 1002, 3}));
+    expect_near(nodes.position[0], {0, 2, 0});
+    expect_near(nodes.position[1], {0, 1, 0});
+    expect_near(nodes.position[2], {1, 0, 0});
+}
+
+TEST(Transformation, OffsetsReachEveryKindOfNumber)
+{
+    const DeckFolder folder;
+    folder.write("block.k", "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n"
+                            "*PART\nsheet\n1,1,1,0,1\n*SECTION_SHELL\n1,2\n1.\n*HOURGLASS\n1,4\n"
+                            "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,1.,1.,.3\n0.,0.,1\n"
+                            "*DEFINE_CURVE\n1\n0.,1.\n1.,2.\n*ELEMENT_SHELL\n1,1,1,2,3,4\n"
+                            "*SET_NODE_LIST\n1\n1,2\n*SET_NODE_GENERAL\n2\nPART,1\n*BOUNDARY_SPC_SET\n1,0,1\n"
+                            "*INITIAL_VELOCITY_GENERATION\n1,2,0.,1.\n\n*DATABASE_HISTORY_SHELL\n1\n"
+                            "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n1,0,3\n\n\n");
+    // Node, element, part, material, set, curve, define, other.
+    const ReadResult result = read_model(folder.write(
+        "deck.k", "*INCLUDE\nblock.k\n*INCLUDE_TRANSFORM\nblock.k\n10,20,30,40,50,60,70\n80\n\n0\n"));
+    EXPECT_EQ(errors_of(result), "");
+    const Model& model = result.model;
+    EXPECT_EQ(model.nodes.id, (std::vector<Id>{1, 2, 3, 4, 11, 12, 13, 14}));
+    EXPECT_EQ(model.shells.id, (std::vector<Id>{1, 21}));
+    EXPECT_EQ(model.shells.nodes[1], (std::array<Index, 4>{4, 5, 6, 7}));
+    EXPECT_EQ(model.parts.at(1).id, 31);
+    EXPECT_EQ(model.parts[1].material, 1);
+    EXPECT_EQ(model.parts[1].section, 1);
+    EXPECT_EQ(model.parts[1].hourglass, 1);
+    EXPECT_EQ(model.materials[1].id, 41);
+    EXPECT_EQ(model.materials[1].integer("LCSS"), 61);
+    EXPECT_EQ(model.sections[1].id, 81);
+    EXPECT_EQ(model.curves[1].id, 61);
+    EXPECT_EQ(model.node_sets.at(2).id, 51);
+    EXPECT_EQ(model.node_sets[2].nodes, (std::vector<Index>{4, 5}));
+    EXPECT_EQ(model.node_sets.at(3).nodes, (std::vector<Index>{4, 5, 6, 7}));
+    EXPECT_EQ(model.fixed_nodes.at(1).nodes, (std::vector<Index>{4, 5}));
+    EXPECT_EQ(model.initial_velocities.at(1).nodes, (std::vector<Index>{4, 5, 6, 7}));
+    EXPECT_EQ(model.controls.output.history_shells, (std::vector<Index>{0, 1}));
+    EXPECT_EQ(model.contacts.at(1).slave.parts, (std::vector<Index>{1}));
+}
+
+TEST(Transformation, AutoOffsetAvoidsTheNumbersReadBefore)
+{
+    const DeckFolder folder;
+    folder.write("block.k", "*NODE\n1,0.,0.,0.\n5,1.,0.,0.\n");
+    const ReadResult result = read_model(folder.write(
+        "deck.k",
+        "*INCLUDE\nblock.k\n*INCLUDE_AUTO_OFFSET\nblock.k\n*INCLUDE_AUTO_OFFSET_USER\nblock.k\n100,200\n"));
+    EXPECT_EQ(errors_of(result), "");
+    EXPECT_EQ(result.model.nodes.id, (std::vector<Id>{1, 5, 6, 10, 101, 105}));
+}
+
+TEST(Transformation, RotationsKeepLengthsAndMirrorsAreTheirOwnInverse)
+{
+    const Vec3 point{1, -2, 3};
+    const Affine turn = rotation({1, 2, 2}, {4, 5, 6}, 0.7);
+    EXPECT_NEAR(norm(turn.direction(point)), norm(point), tight);
+    expect_near(turn.point({4, 5, 6}), {4, 5, 6});
+    const Affine reflection = mirror({1, 1, 1}, {1, 2, 3});
+    expect_near(then(reflection, reflection).point(point), point);
+}
+
+} // namespace plash

@@ -1,0 +1,124 @@
+#include "parser/read_model.h"
+#include "solver/scene.h"
+#include "sph/particle_bodies.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace plash {
+
+namespace {
+
+/// A plate of 4 x 3 particles of water 10 apart; `extra` are more keywords.
+std::string plate_deck(const std::string& section, const std::string& extra)
+{
+    std::string deck = "*KEYWORD\n*CONTROL_TERMINATION\n1e-6\n*PART\nwater\n1,7,3,4\n*SECTION_SPH\n" +
+                       section + "\n*MAT_NULL\n3,1e-9,-1,1e-9\n*EOS_GRUNEISEN\n4,1.48e6,1.92,,,0.1\n\n" +
+                       extra;
+    std::string nodes = "*NODE\n", elements = "*ELEMENT_SPH\n";
+    for (int i = 0; i < 12; ++i) {
+        nodes += fmt::format("{},{},{},0\n", 101 + i, 10 * (i % 4), 10 * (i / 4));
+        elements += fmt::format("{},1,{}\n", 101 + i, i == 0 ? "-1000" : "1e-6"); // the first one by volume
+    }
+    return deck + nodes + elements + "*END\n";
+}
+
+Model read(const std::string& deck)
+{
+    const testing::TemporaryFolder folder;
+    std::ofstream(folder / "deck.k") << deck;
+    ReadResult result = read_model(folder / "deck.k");
+    EXPECT_TRUE(result.ok);
+    return std::move(result.model);
+}
+
+/// The message of the DeckError that the deck gives.
+std::string complaint(const std::string& deck)
+{
+    const Model model = read(deck);
+    try {
+        make_scene(model);
+    } catch (const DeckError& error) {
+        return error.what();
+    }
+    return "no complaint";
+}
+
+const ParticleBody& body_of(const Scene& scene)
+{
+    return dynamic_cast<const ParticleBody&>(*scene.terms.at(0));
+}
+
+} // namespace
+
+TEST(SphDeck, TakesSpacingMassesAndDefaults)
+{
+    const Model model = read(plate_deck("7", ""));
+    const Scene scene = make_scene(model);
+    const ParticleBody& body = body_of(scene);
+    EXPECT_EQ(body.items(), 12u);
+    EXPECT_DOUBLE_EQ(body.arrays().motion[0].smoothing, 12);           // CSLH 1.2 times the spacing
+    for (double mass : scene.state.mass) EXPECT_DOUBLE_EQ(mass, 1e-6); // 1000 volume units of 1e-9 as well
+    EXPECT_DOUBLE_EQ(body.arrays().density[0], 1e-9);
+    // h / (Q + sqrt(Q^2 + c^2)) with Q = Q2 c at rest, Q2 = 0.06
+    EXPECT_NEAR(body.stable_step().step, 12 / (1.48e6 * (0.06 + std::sqrt(1 + 0.06 * 0.06))), 1e-15);
+}
+
+TEST(SphDeck, HonoursSmoothingLengthsAndKernels)
+{
+    const Model model = read(plate_deck("7,1.5,0.5,1,,,,1", ""));
+    const ParticleOptions options = particle_options_of(model);
+    EXPECT_FALSE(options.renormalised);
+    const Scene scene = make_scene(model);
+    EXPECT_DOUBLE_EQ(body_of(scene).arrays().motion[0].smoothing, 15);
+    const Model given = read(plate_deck("7,,,,8.5", ""));
+    EXPECT_DOUBLE_EQ(body_of(make_scene(given)).arrays().motion[0].smoothing, 8.5);
+}
+
+TEST(SphDeck, MapsFormsAndBoundaries)
+{
+    const auto options = [](const std::string& extra) {
+        return particle_options_of(read(plate_deck("7", extra)));
+    };
+    EXPECT_FALSE(options("").volume_weighted);
+    EXPECT_TRUE(options("*CONTROL_SPH\n1,,,2,,1\n").renormalised);
+    EXPECT_EQ(options("*CONTROL_SPH\n1,,,2,,1\n").dimension, 2);
+    EXPECT_TRUE(options("*CONTROL_SPH\n1,,,,,5\n").volume_weighted);
+    const ParticleOptions fluid = options("*CONTROL_SPH\n1,,,,,6\n1\n");
+    EXPECT_TRUE(fluid.volume_weighted && fluid.renormalised && !fluid.parts_interact);
+    const auto mirrors = options("*BOUNDARY_SPH_SYMMETRY_PLANE\n0,-5,0,0,3,0\n").mirrors;
+    ASSERT_EQ(mirrors.size(), 1u);
+    EXPECT_EQ(norm(mirrors[0].normal - Vec3{0, 1, 0}), 0);
+    const auto periods = options("*DEFINE_VECTOR\n1,-5,0,0,1,0,0\n2,35,9,0,40,0,0\n"
+                                 "*BOUNDARY_SPH_PERIODIC\n1,2\n")
+                             .periods;
+    ASSERT_EQ(periods.size(), 1u);
+    EXPECT_EQ(norm(periods[0].period - Vec3{40, 0, 0}), 0);
+}
+
+TEST(SphDeck, SaysWhatIsWrong)
+{
+    EXPECT_EQ(complaint(plate_deck("7", "*CONTROL_SPH\n1,,,2,,7\n")),
+              "*CONTROL_SPH, field FORM: form 7 is not supported; there are 0 to 6 and 12");
+    EXPECT_EQ(complaint(plate_deck("7", "*CONTROL_SPH\n1,,,-2\n")),
+              "*CONTROL_SPH, field IDIM: -2 is not supported; there are 2 (plane strain) and 3");
+    EXPECT_EQ(complaint(plate_deck("7,1.2,3,2", "")),
+              "*SECTION_SPH, field HMIN: the smallest smoothing length is above the largest one, HMAX");
+    EXPECT_EQ(complaint(plate_deck("7,,,,,,,5", "")),
+              "*SECTION_SPH, field SPHKERN: there is no kernel 5; there are 0 to 3");
+}
+
+TEST(SphDeck, SpacingIsTheLargestOfTheSmallestDistances)
+{
+    // LS-DYNA's rule: each particle's nearest neighbour, and of these the farthest.
+    EXPECT_DOUBLE_EQ(particle_spacing({{0, 0, 0}, {1, 0, 0}, {1.5, 0, 0}, {9, 0, 0}}), 7.5);
+    EXPECT_DOUBLE_EQ(particle_spacing({{0, 0, 0}, {0, 2, 0}}), 2);
+    EXPECT_EQ(particle_spacing({{1, 1, 1}}), 0);
+    EXPECT_EQ(particle_spacing({{1, 1, 1}, {1, 1, 1}}), 0);
+}
+
+} // namespace plash

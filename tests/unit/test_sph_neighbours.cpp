@@ -1,0 +1,158 @@
+#include "sph/neighbours.h"
+
+#include <gtest/gtest.h>
+
+#include <omp.h>
+#include <random>
+#include <set>
+
+namespace plash {
+
+namespace {
+
+struct Cloud {
+    std::vector<Vec3> given, position; ///< as made, and by sorted place
+    std::vector<double> reach;
+    std::vector<std::uint8_t> image, group;
+    std::vector<std::uint64_t> sees;
+    ParticleCells cells;
+    std::vector<NeighbourRun> runs;
+
+    Cloud(std::size_t count, unsigned seed, bool with_images)
+    {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> unit(0, 1);
+        for (std::size_t i = 0; i < count; ++i) {
+            given.push_back({12 * unit(random), 5 * unit(random), 3 * unit(random)});
+            if (i % 97 == 0) given.back() = 40.0 * given.back(); // spray, far away
+        }
+        cells.sort(given, 1.0);
+        for (Index from : cells.order()) {
+            position.push_back(given[from]);
+            reach.push_back(0.3 + 0.2 * unit(random));
+            image.push_back(with_images && unit(random) < 0.2);
+            group.push_back(static_cast<std::uint8_t>(from % 3));
+        }
+        build();
+    }
+    void build() { build_neighbours(cells, {position, reach, image, group, sees}, runs); }
+
+    bool close(Index a, Index b) const
+    {
+        const Vec3 apart = position[a] - position[b];
+        const double limit = reach[a] + reach[b];
+        return a != b && dot(apart, apart) < limit * limit;
+    }
+    bool seen(Index a, Index b) const { return sees.empty() || (sees[group[a]] >> group[b] & 1); }
+};
+
+using Pairs = std::multiset<std::pair<Index, Index>>;
+
+/// Directed pairs (who adds, whose influence) as the pair loop will walk them.
+Pairs walked_pairs(const Cloud& cloud)
+{
+    Pairs pairs;
+    for (const NeighbourRun& run : cloud.runs) {
+        std::size_t inside = 0, outside = 0;
+        for (Index i = 0; i < run.length(); ++i) {
+            const Index p = run.begin + i;
+            for (int k = 0; k < run.batches[i].inside * lane_count; ++k) {
+                const Index other = run.begin + run.inside[inside++];
+                if (other == p) continue; // filling
+                pairs.insert({p, other});
+                pairs.insert({other, p});
+            }
+            for (int k = 0; k < run.batches[i].outside * lane_count; ++k) {
+                const Index other = run.outside[outside++];
+                if (other != p) pairs.insert({p, other});
+            }
+        }
+        EXPECT_EQ(inside, run.inside.size());
+        EXPECT_EQ(outside, run.outside.size());
+    }
+    return pairs;
+}
+
+Pairs all_close_pairs(const Cloud& cloud)
+{
+    Pairs pairs;
+    const auto count = static_cast<Index>(cloud.position.size());
+    for (Index a = 0; a < count; ++a)
+        for (Index b = 0; b < count; ++b)
+            if (!cloud.image[a] && cloud.close(a, b) && cloud.seen(a, b)) pairs.insert({a, b});
+    return pairs;
+}
+
+} // namespace
+
+TEST(SphNeighbours, ListsEveryClosePairOnceAndNoOther)
+{
+    Cloud cloud(4000, 1, false);
+    const Pairs expected = all_close_pairs(cloud);
+    ASSERT_GT(expected.size(), 20000u);
+    EXPECT_EQ(walked_pairs(cloud), expected);
+}
+
+TEST(SphNeighbours, ImagesAreSeenButSeeNothing)
+{
+    Cloud cloud(3000, 2, true);
+    EXPECT_EQ(walked_pairs(cloud), all_close_pairs(cloud));
+}
+
+TEST(SphNeighbours, GroupsSeeOnlyWhomTheyMay)
+{
+    Cloud cloud(3000, 3, true);
+    cloud.sees = {0b011, 0b111, 0b110}; // groups 0 and 2 do not see each other
+    cloud.build();
+    EXPECT_EQ(walked_pairs(cloud), all_close_pairs(cloud));
+}
+
+TEST(SphNeighbours, TheOrderIsAFunctionOfThePositionsAlone)
+{
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(1);
+    const Cloud one(20000, 4, true);
+    for (int threads : {2, 3, 7}) {
+        omp_set_num_threads(threads);
+        const Cloud many(20000, 4, true);
+        ASSERT_EQ(many.cells.order(), one.cells.order());
+        ASSERT_EQ(many.runs.size(), one.runs.size());
+        for (std::size_t r = 0; r < one.runs.size(); ++r) {
+            ASSERT_EQ(many.runs[r].inside, one.runs[r].inside);
+            ASSERT_EQ(many.runs[r].outside, one.runs[r].outside);
+        }
+    }
+    omp_set_num_threads(before);
+}
+
+TEST(SphNeighbours, CellsHoldTheirParticlesInTheGivenOrder)
+{
+    const Cloud cloud(5000, 5, false);
+    for (Index cell = 0; cell < cloud.cells.cell_count(); ++cell) {
+        for (Index p = cloud.cells.begin(cell); p < cloud.cells.end(cell); ++p) {
+            EXPECT_EQ(cloud.cells.cell_of_place(p), cell);
+            if (p == cloud.cells.begin(cell)) continue;
+            EXPECT_LT(cloud.cells.order()[p - 1], cloud.cells.order()[p]);
+        }
+    }
+}
+
+TEST(SphNeighbours, RadixSortIsStable)
+{
+    std::mt19937_64 random(7);
+    std::vector<std::uint64_t> key(100000);
+    std::vector<Index> value(key.size());
+    for (std::size_t i = 0; i < key.size(); ++i) {
+        key[i] = random() % 3000;
+        value[i] = static_cast<Index>(i);
+    }
+    const std::vector<std::uint64_t> original = key;
+    sort_by_key(key, value, 12);
+    for (std::size_t i = 0; i < key.size(); ++i) {
+        ASSERT_EQ(key[i], original[value[i]]);
+        if (i == 0) continue;
+        ASSERT_TRUE(key[i - 1] < key[i] || (key[i - 1] == key[i] && value[i - 1] < value[i]));
+    }
+}
+
+} // namespace plash
