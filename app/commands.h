@@ -7,6 +7,8 @@
 namespace plash {
 
 void add_run(CLI::App& program, int& exit_code);
+void add_compare(CLI::App& program, int& exit_code);
+void add_study(CLI::App& program, int& exit_code);
 void add_check(CLI::App& program, int& exit_code);
 void add_report(CLI::App& program, int& exit_code);
 void add_keywords(CLI::App& program, int& exit_code);

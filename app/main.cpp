@@ -47,6 +47,8 @@ int main(int argument_count, char** arguments)
     int exit_code = 0;
     plash::add_run(program, exit_code);
     plash::add_check(program, exit_code);
+    plash::add_compare(program, exit_code);
+    plash::add_study(program, exit_code);
     plash::add_report(program, exit_code);
     plash::add_keywords(program, exit_code);
     plash::add_picture(program, exit_code);

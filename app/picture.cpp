@@ -33,21 +33,34 @@ int draw(std::vector<std::string> arguments)
     return 2;
 }
 
-} // namespace
-
-bool draw_picture(const std::string& directory)
+/// Runs the program that draws and waits for it; false when it failed.
+bool run_drawing_program(std::vector<std::string> arguments)
 {
-    std::string program = drawing_program(), folder = directory;
-    char* const words[] = {program.data(), folder.data(), nullptr};
+    std::string program = drawing_program();
+    std::vector<char*> words = {program.data()};
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
     pid_t child = 0;
     int status = 0;
-    const int fault = posix_spawn(&child, program.c_str(), nullptr, nullptr, words, environ);
+    const int fault = posix_spawn(&child, program.c_str(), nullptr, nullptr, words.data(), environ);
     if (fault != 0) {
         fmt::print(stderr, "{} cannot be started: {}\n", program, std::strerror(fault));
         return false;
     }
     waitpid(child, &status, 0);
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+} // namespace
+
+bool draw_picture(const std::string& directory)
+{
+    return run_drawing_program({directory});
+}
+
+bool draw_diagrams(const std::string& file, const std::string& png)
+{
+    return run_drawing_program({file, "--diagrams", "-o", png, "--width", "1500"});
 }
 
 void add_picture(CLI::App& program, int& exit_code)

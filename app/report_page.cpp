@@ -146,13 +146,14 @@ std::string to_html(const ReportPage& page)
     }
     html += "</dl></section>\n";
     if (!page.picture_png.empty()) {
-        html += fmt::format("<section><h2>The model</h2><img alt=\"the model at several times\" "
-                            "src=\"data:image/png;base64,{}\"></section>\n",
-                            base64(page.picture_png));
+        html += fmt::format(
+            "<section><h2>{0}</h2><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"></section>\n",
+            escaped(page.picture_title), base64(page.picture_png));
     }
     html += "<div id=\"plots\"></div>\n";
     if (page.timings.size() > 1) {
-        html += "<section><h2>Where the time went</h2>\n" + table(page.timings) + "</section>\n";
+        html +=
+            "<section><h2>" + escaped(page.timings_title) + "</h2>\n" + table(page.timings) + "</section>\n";
     }
     html += fmt::format(
         "<footer>Drag over a plot to zoom, double click to zoom out, click a name to hide its curve. "

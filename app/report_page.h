@@ -23,8 +23,10 @@ struct ReportPage {
     bool trouble = false;                                   ///< the verdict is a warning
     std::vector<std::pair<std::string, std::string>> facts; ///< name and value
     std::vector<ReportPlot> plots;
+    std::string timings_title = "Where the time went";
     std::vector<std::vector<std::string>> timings; ///< first row: headings
-    std::string picture_png;                       ///< bytes of a PNG; empty: none
+    std::string picture_title = "The model";
+    std::string picture_png; ///< bytes of a PNG; empty: none
 };
 
 /// One self-contained HTML page: plots can be zoomed and read off (uPlot inside the page, with its licence).

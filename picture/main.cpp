@@ -1,3 +1,4 @@
+#include "picture/diagram_file.h"
 #include "picture/run_results.h"
 #include "picture/strip.h"
 #include "picture/virtual_display.h"
@@ -93,8 +94,10 @@ int main(int argument_count, char** arguments)
     CLI::App program{"Draws a run's model at several times into one PNG file", "plash picture"};
     std::string directory, field = "von_mises", times, view = "iso", output, range, title;
     int frames = 4, width = 1800;
-    bool without_edges = false;
+    bool without_edges = false, diagrams = false;
     program.add_option("DIR", directory, "result folder of a run")->required();
+    program.add_flag("--diagrams", diagrams,
+                     "DIR is a file of diagrams (picture/diagram_file.h) to draw into -o");
     program.add_option("-f,--field", field, "von_mises, plastic_strain, velocity or displacement")
         ->capture_default_str();
     program.add_option("-t,--times", times, "times to show, separated by commas");
@@ -117,6 +120,13 @@ int main(int argument_count, char** arguments)
     }
 
     try {
+        if (diagrams) {
+            if (output.empty()) throw std::runtime_error("--diagrams needs -o FILE.png");
+            const std::vector<Plot> plots = read_diagrams(directory);
+            const VirtualDisplay display;
+            draw_plots(plots, plots.size() == 1 ? 1 : 2, width, output);
+            return 0;
+        }
         const Quantity quantity = quantity_named(field);
         StripStyle style;
         style.from = direction(view);
