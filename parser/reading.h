@@ -8,7 +8,9 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
+#include <unordered_set>
 
 namespace plash {
 
@@ -29,6 +31,12 @@ struct PendingSet {
     Index index; ///< into the Model's sets of this kind
     Record record;
     const Block* block;
+};
+
+/// A field that names a curve or a table, and what it takes its points to be.
+struct CurveUse {
+    std::string keyword, field;
+    std::optional<CurveDimensions> dimensions; ///< nothing: Plash does not know
 };
 
 /// *CONTROL_CONTACT, until all contacts are read.
@@ -58,10 +66,35 @@ struct Reading {
     std::vector<std::pair<const Block*, Index>>
         moved_nodes;                                   ///< first node of each block that an include moves
     std::map<const IncludeTransform*, Affine> motions; ///< of the includes that move what they hold
+    std::vector<std::pair<Index, const UnitFactors*>> foreign_curves,
+        foreign_tables; ///< of includes with units of their own
+    std::map<Id, std::vector<CurveUse>>
+        curve_uses; ///< by the number of a curve or table; filled when there are such
     std::vector<PendingSet> pending_sets;
     std::vector<Index> parts_without_section, parts_without_material; ///< SECID, MID left at zero
     std::vector<Index> body_load_parts;                               ///< of *LOAD_BODY_PARTS
     ContactDefaults contact_defaults;
+
+    std::unordered_set<Id> used[static_cast<std::size_t>(Kind::count)]; ///< numbers that something refers to
+
+    /// Nodes and elements are not counted this way: there may be millions.
+    void use(Kind kind, Id id)
+    {
+        if (kind > Kind::seatbelt) used[static_cast<std::size_t>(kind)].insert(id);
+    }
+    /// Where a curve may stand, a table may stand as well.
+    bool is_used(Kind kind, Id id) const
+    {
+        return used[static_cast<std::size_t>(kind)].contains(id) ||
+               (kind == Kind::table && is_used(Kind::curve, id));
+    }
+
+    /// Position of the thing that a definition refers to; `none` when there is no such.
+    Index look_up(Kind kind, Id id)
+    {
+        use(kind, id);
+        return table(kind).find(id);
+    }
 
     IdTable& table(Kind kind) { return ids[static_cast<std::size_t>(kind)]; }
 
@@ -70,7 +103,7 @@ struct Reading {
     Index find(const Record& record, std::string_view field, Kind kind)
     {
         const Id id = record.integer(field);
-        return id == 0 ? none : table(kind).find(id);
+        return id == 0 ? none : look_up(kind, id);
     }
 
     /// What the include of a block does to its points and directions.
@@ -124,6 +157,9 @@ void finish_tables(Reading& reading);
 void finish_sets(Reading& reading);
 void finish_loads(Reading& reading);
 void finish_contacts(Reading& reading);
+
+/// Brings the points of curves and tables of includes with other units into those of the deck.
+void convert_foreign_curves(Reading& reading);
 
 /// Nodes of the elements of some parts, each once, in rising order.
 std::vector<Index> nodes_of_parts(const Model& model, const std::vector<Index>& parts);

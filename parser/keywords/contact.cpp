@@ -96,7 +96,7 @@ public:
                                        way));
             return side;
         }
-        const Index index = reading_.table(kinds[way]).find(block_.number(kinds[way], number));
+        const Index index = reading_.look_up(kinds[way], block_.number(kinds[way], number));
         if (index == none) {
             reading_.error(record_, id, fmt::format("there is no {} {}", to_string(kinds[way]), number));
             return side;

@@ -58,7 +58,7 @@ void read_history(const Record& record, Kind kind, Kind set_kind, std::vector<In
     for (std::size_t row = 0; row < table->rows(); ++row) {
         const Id id = static_cast<Id>(table->at(row, 0));
         if (id == 0) continue;
-        const Index found = reading.table(sets ? set_kind : kind).find(id);
+        const Index found = reading.look_up(sets ? set_kind : kind, id);
         if (found == none) continue; // reported with all references
         if (!sets) {
             chosen.push_back(found);

@@ -80,8 +80,7 @@ std::vector<Index> generation_nodes(const Record& record, const Block& block, Re
         reading.error(record, "STYP", fmt::format("{} is not one of 1 part set, 2 part, 3 node set", type));
         return {};
     }
-    const Index index =
-        reading.table(kinds[type - 1]).find(block.number(kinds[type - 1], record.integer("ID")));
+    const Index index = reading.look_up(kinds[type - 1], block.number(kinds[type - 1], record.integer("ID")));
     if (index == none) {
         reading.error(record, "ID",
                       fmt::format("there is no {} {}", to_string(kinds[type - 1]), record.integer("ID")));

@@ -89,7 +89,7 @@ void read_part_composite(const Record& record, const Block&, Reading& reading)
             for (std::size_t column = 0; column + 2 < plies->columns.size(); ++column) {
                 if (!plies->columns[column].starts_with("MID")) continue;
                 Layer layer;
-                layer.material = reading.table(Kind::material).find(static_cast<Id>(plies->at(row, column)));
+                layer.material = reading.look_up(Kind::material, static_cast<Id>(plies->at(row, column)));
                 layer.thickness = plies->at(row, column + 1);
                 layer.angle = plies->at(row, column + 2);
                 if (plies->at(row, column) != 0 && layer.thickness != 0) part.layers.push_back(layer);
