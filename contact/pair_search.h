@@ -17,9 +17,9 @@ struct PairList {
 /// Finds pairs closer than what contact needs plus a margin, and tells when they must be found again.
 ///
 /// A pair is left out when the node is a corner of the facet or of the solid behind it, and when the node
-/// does not act on the facet. The list holds until nodes of the mesh have moved relative to one another by
-/// the margin: the diagonal of the box of all displacements since the search bounds every relative
-/// displacement, so a car that drives as a whole needs no search.
+/// does not act on the facet, or when both are of one rigid part. The list holds until nodes of the mesh have
+/// moved relative to one another by the margin: the diagonal of the box of all displacements since the search
+/// bounds every relative displacement, so a car that drives as a whole needs no search.
 class PairSearch {
 public:
     PairSearch() = default;

@@ -76,6 +76,7 @@ std::vector<PartData> part_data(const Model& model)
         const Record& section = model.sections[part.section];
         if (section.keyword.starts_with("SECTION_SHELL")) data.thickness = section.real("T1");
         if (section.keyword.starts_with("SECTION_BEAM")) {
+            data.spot_weld = section.integer("ELFORM") == 9;
             const double outer = first_given(section, {"TS1"}), inner = first_given(section, {"TT1"});
             const bool tube = section.integer("CST") == 1;
             const double own_area = first_given(section, {"A"});

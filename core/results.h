@@ -84,6 +84,9 @@ struct ElementResults {
 
     /// Force of all contacts on each node, summed by the contacts' terms; empty unless wanted [force].
     std::vector<Vec3> contact_force;
+    /// Pressure of all contacts on each node: normal forces over the area of its exposed segments; empty unless
+    /// wanted [stress].
+    std::vector<double> contact_pressure;
 
     /// By node: change of the velocity from n-1/2 to n+1/2 over that span [length/time^2]. Recorders put in
     /// force / mass; terms that move nodes themselves (rigid bodies) overwrite the entries of their nodes.

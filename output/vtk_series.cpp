@@ -79,6 +79,10 @@ ElementResults collect_results(const Snapshot& snapshot)
     r.solid_stress.resize(solids);
     r.solid_plastic_strain.resize(solids);
     r.solid_deleted.resize(solids);
+    if (!snapshot.model.contacts.empty()) {
+        r.contact_force.resize(snapshot.model.nodes.size());
+        r.contact_pressure.resize(snapshot.model.nodes.size());
+    }
     snapshot.collect(r);
     return r;
 }
@@ -120,6 +124,16 @@ void add_element_results(VtuFile& file, const ElementResults& r)
     file.add_cell_array("thickness", 1, thickness);
 }
 
+/// What contacts do to the nodes; nothing in a deck without contacts.
+void add_contact_results(VtuFile& file, const ElementResults& r)
+{
+    if (r.contact_force.empty()) return;
+    std::vector<float> force, pressure(r.contact_pressure.begin(), r.contact_pressure.end());
+    for (const Vec3& f : r.contact_force) put(force, f);
+    file.add_point_array("contact_force", 3, force);
+    file.add_point_array("contact_pressure", 1, pressure);
+}
+
 /// Makes the folder, and removes the states that an earlier run left in it.
 void prepare_folder(const std::string& folder)
 {
@@ -156,7 +170,9 @@ void VtkSeries::write_state(const Snapshot& snapshot)
     for (const Cell& cell : cells_) file.add_cell(cell);
     add_nodes(file, snapshot);
     add_element_numbers(file, snapshot.model);
-    add_element_results(file, collect_results(snapshot));
+    const ElementResults results = collect_results(snapshot);
+    add_element_results(file, results);
+    add_contact_results(file, results);
     const std::string name = fmt::format("vtk/result_{:04}.vtu", files_.size());
     file.write(directory_ + "/" + name, snapshot.clock.time);
     files_.emplace_back(snapshot.clock.time, name);

@@ -6,6 +6,7 @@
 #include "conditions/prescribed_motion.h"
 #include "contact/contacts.h"
 #include "contact/planar_wall.h"
+#include "contact/tied_nodes.h"
 #include "elements/shell_groups.h"
 #include "elements/solid_groups.h"
 #include "rigid/rigid_bodies.h"
@@ -67,11 +68,15 @@ Scene make_scene(const Model& model)
     for (std::size_t i = 0; i < model.masses.size(); ++i)
         state.mass[model.masses.node[i]] += model.masses.mass[i];
     scale_masses(scene);
+    auto tied = std::make_shared<TiedNodes>(model, state);
+    if (!tied->empty()) scene.terms.push_back(std::make_unique<TiedForces>(tied));
     apply_initial_velocities(model, state);
     add_conditions(scene);
     std::vector<RigidBody> bodies = make_rigid_bodies(model, state);
     if (!bodies.empty())
         scene.terms.push_back(std::make_unique<RigidBodies>(model, std::move(bodies), state));
+    if (!tied->empty())
+        scene.terms.push_back(std::make_unique<TiedMotion>(tied)); // after all that moves corners
     return scene;
 }
 
