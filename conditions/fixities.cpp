@@ -12,6 +12,7 @@ Vec3 hold(Vec3& force, const Vec3& velocity, double mass, FreedomMask freedoms, 
           double& stopped_energy)
 {
     Vec3 reaction{};
+    if (mass == 0) return reaction; // a node of a rigid body: the body holds it
     for (int axis = 0; axis < 3; ++axis) {
         if (!(freedoms >> axis & 1)) continue;
         const double v = velocity.*axes[axis];

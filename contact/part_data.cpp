@@ -69,7 +69,7 @@ std::vector<PartData> part_data(const Model& model)
         if (part.material != none) {
             const Record& material = model.materials[part.material];
             data.density = first_given(material, {"RO"});
-            data.rigid = material.keyword == "MAT_RIGID";
+            data.rigid = model.is_rigid(static_cast<Index>(number));
         }
         data.bulk_modulus = bulk_modulus_of(model, part);
         if (part.section == none) continue;

@@ -82,6 +82,25 @@ struct ElementResults {
     };
     std::vector<ContactForce> contacts; ///< appended by the contacts' terms, in deck order
 
+    /// Motion of one rigid body at its center; `axes` are those of the body now.
+    struct RigidMotion {
+        Id body = 0;
+        bool nodal = false; ///< *CONSTRAINED_NODAL_RIGID_BODY
+        Vec3 place{}, displacement{}, velocity{}, acceleration{};
+        Vec3 angle{}, angular_velocity{}, angular_acceleration{}; ///< angle: integral of the angular velocity
+        std::array<Vec3, 3> axes{};
+    };
+    bool rigid_motions_wanted = false; ///< the two lists below are filled only then
+    std::vector<RigidMotion> rigid_bodies;
+
+    /// Force and moment of one joint on its second body at its first node, global axes.
+    struct JointForce {
+        Id joint = 0;
+        Vec3 force{}, moment{};
+        double energy = 0; ///< put into the bodies so far (motors) [energy]
+    };
+    std::vector<JointForce> joints;
+
     /// Force of all contacts on each node, summed by the contacts' terms; empty unless wanted [force].
     std::vector<Vec3> contact_force;
 

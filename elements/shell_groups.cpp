@@ -19,13 +19,14 @@ constexpr std::pair<std::string_view, ShellGroupMaker*> makers[] = {
 };
 
 /// Who makes the group of a part; null for a rigid part.
-ShellGroupMaker* maker_of(const Model& model, const Part& part)
+ShellGroupMaker* maker_of(const Model& model, Index part_index)
 {
+    const Part& part = model.parts[part_index];
     if (part.material == none) {
         throw DeckError(part.where, fmt::format("*PART {} has shells but no material", part.id));
     }
     const Record& material = model.materials[part.material];
-    if (material.keyword == "MAT_RIGID") return nullptr;
+    if (model.is_rigid(part_index)) return nullptr;
     for (const auto& [keyword, maker] : makers) {
         if (material.keyword == keyword) return maker;
     }
@@ -110,7 +111,7 @@ std::vector<std::unique_ptr<Term>> make_shell_groups(const Model& model, State& 
     std::vector<std::unique_ptr<Term>> groups;
     for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part) {
         if (elements[part].empty()) continue;
-        ShellGroupMaker* maker = maker_of(model, model.parts[part]);
+        ShellGroupMaker* maker = maker_of(model, part);
         if (!maker) continue;
         state.need_rotation();
         add_groups(maker, {model, part, std::move(elements[part])}, state, groups);

@@ -142,7 +142,7 @@ void add_part(const Model& model, Index part_index, const std::vector<Index>& el
 {
     const Part& part = model.parts[part_index];
     const Record& material = material_of(model, part);
-    if (material.keyword == "MAT_RIGID") return;
+    if (model.is_rigid(part_index)) return;
     const auto* law = std::find_if(std::begin(laws), std::end(laws),
                                    [&](const auto& entry) { return entry.keyword == material.keyword; });
     if (law == std::end(laws)) {

@@ -56,10 +56,11 @@ struct FixedNodes {
 struct PrescribedMotion {
     enum class Kind { velocity, acceleration, displacement };
     std::vector<Index> nodes;
-    Index rigid_part = none;    ///< _RIGID: the part that is driven, and `nodes` is empty
+    Index rigid_part = none;    ///< _RIGID: number of the body that is driven, and `nodes` is empty
     Vec3 direction{};           ///< unit vector of the freedom
     bool rotation = false;      ///< about `direction` instead of along it
     bool only_component = true; ///< other components stay free
+    bool local = false;         ///< _RIGID_LOCAL: `direction` turns with the body
     Kind kind = Kind::velocity;
     Index curve = none;
     double scale = 1;
@@ -97,12 +98,13 @@ struct InitialVelocity {
     Vec3 axis{0, 0, 1};
     Vec3 angular_velocity{}; ///< [1/time] of the nodes' own rotational freedoms
     bool set_rotation = false;
+    bool over_inertia = false; ///< IRIGID = 1: also for bodies whose own card gives a velocity
     Location where;
 };
 
 /// *INITIAL_VELOCITY_RIGID_BODY: motion of a rigid part at its centre of mass, over all other entries.
 struct RigidBodyVelocity {
-    Index part = none;
+    Index part = none;       ///< number of the body
     Vec3 translation{};      ///< [velocity]
     Vec3 angular_velocity{}; ///< [1/time]
     Location where;

@@ -100,6 +100,7 @@ struct Part {
     Index hourglass = none;    ///< none: as *CONTROL_HOURGLASS says
     std::vector<Layer> layers; ///< *PART_COMPOSITE, bottom first; such a part has no section and no material
     Index composite = none;    ///< into `others`: the *PART_COMPOSITE itself (formulation, shear factor ...)
+    bool made_rigid = false;   ///< *DEFORMABLE_TO_RIGID: rigid from the start whatever its material
 };
 
 /// *PART_INERTIA: mass properties of a rigid part in place of those of its elements.

@@ -6,6 +6,7 @@
 #include "model/controls.h"
 #include "model/mesh.h"
 #include "model/record.h"
+#include "model/rigid.h"
 
 #include <map>
 #include <stdexcept>
@@ -92,6 +93,13 @@ struct Model {
     std::vector<BodyLoad> body_loads;
     std::vector<InitialVelocity> initial_velocities;
     std::vector<RigidBodyVelocity> rigid_body_velocities;
+    std::vector<NodalRigidBody> nodal_rigid_bodies;
+    std::vector<RigidMerge> rigid_merges;
+    std::vector<ExtraNodes> extra_nodes;
+    std::vector<RigidBodyLoad> rigid_body_loads;
+    std::vector<Joint> joints;
+    std::vector<JointStiffness> joint_stiffnesses;
+    std::vector<RigidSwitch> rigid_switches;
     std::vector<PlanarWall> planar_walls;
     std::vector<Contact> contacts;
     std::map<Index, PartInertia> part_inertias; ///< by part, where the deck has *PART_INERTIA
@@ -107,6 +115,12 @@ struct Model {
     /// such.
     Index find_curve(Id id) const;
     Index find_table(Id id) const;
+
+    /// The part has no stresses: *MAT_RIGID or *DEFORMABLE_TO_RIGID.
+    bool is_rigid(Index part) const;
+    /// Number that the deck gives to a body.
+    Id body_id(BodyNumber body) const;
+    const std::string& body_title(BodyNumber body) const;
 };
 
 /// Calls visit(elements) for every list of elements that have an id, a part and nodes.

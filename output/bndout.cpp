@@ -53,7 +53,7 @@ std::vector<BoundaryRow> rows_of(const std::vector<ElementResults::BoundaryForce
     std::map<std::pair<bool, Id>, BoundaryRow> sums;
     for (const auto& force : forces) {
         const bool rigid = force.node == none;
-        const Id id = rigid ? model.parts[force.rigid_part].id : model.nodes.id[force.node];
+        const Id id = rigid ? model.body_id(force.rigid_part) : model.nodes.id[force.node];
         BoundaryRow& row = sums[{rigid, id}];
         row.id = id;
         row.rigid_part = rigid;

@@ -5,8 +5,10 @@
 #include "output/d3plot.h"
 #include "output/elout.h"
 #include "output/glstat.h"
+#include "output/jntforc.h"
 #include "output/matsum.h"
 #include "output/nodout.h"
+#include "output/rbdout.h"
 #include "output/rwforc.h"
 #include "output/spcforc.h"
 #include "output/vtk_series.h"
@@ -57,7 +59,19 @@ bool has_supports(const Model& model)
 
 bool has_loads(const Model& model)
 {
-    return !model.nodal_loads.empty() || !model.prescribed_motions.empty();
+    return !model.nodal_loads.empty() || !model.rigid_body_loads.empty() || !model.prescribed_motions.empty();
+}
+
+bool has_rigid_bodies(const Model& model)
+{
+    for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part)
+        if (model.is_rigid(part)) return true;
+    return !model.nodal_rigid_bodies.empty();
+}
+
+bool has_joints(const Model& model)
+{
+    return !model.joints.empty();
 }
 
 bool has_contacts(const Model& model)
@@ -76,6 +90,8 @@ const std::vector<AsciiFile>& ascii_files()
         {"rwforc", has_walls, make<RwforcRecorder>},
         {"spcforc", has_supports, make<SpcforcRecorder>},
         {"bndout", has_loads, make<BndoutRecorder>},
+        {"rbdout", has_rigid_bodies, make<RbdoutRecorder>},
+        {"jntforc", has_joints, make<JntforcRecorder>},
         {"rcforc", has_contacts, make<RcforcRecorder>},
         {"sleout", has_contacts, make<SleoutRecorder>},
         {"ncforc", has_contacts, make<NcforcRecorder>},

@@ -135,6 +135,8 @@ private:
             return last(model.hourglass);
         case Kind::part:
             return last(model.parts);
+        case Kind::rigid_body:
+            return last(model.nodal_rigid_bodies);
         case Kind::curve:
             return last(model.curves);
         case Kind::table:
@@ -172,7 +174,10 @@ private:
                 reading_.table(Kind::tetrahedron).add(model.tetrahedra.id[i], static_cast<Index>(i));
             finish_elements(model.thick_shells, Kind::tshell, "ELEMENT_TSHELL");
         }
-        if (phase == Phase::sets) finish_sets(reading_);
+        if (phase == Phase::sets) {
+            finish_sets(reading_);
+            finish_nodal_rigid_bodies(reading_);
+        }
         if (phase == Phase::conditions) {
             finish_loads(reading_);
             finish_contacts(reading_);

@@ -31,6 +31,13 @@ struct PendingSet {
     const Block* block;
 };
 
+/// *CONSTRAINED_NODAL_RIGID_BODY, until its node set is known: belongs to the nodal rigid body at its place.
+struct PendingBody {
+    Record record;
+    const Block* block;
+    bool held, has_inertia;
+};
+
 /// *CONTROL_CONTACT, until all contacts are read.
 struct ContactDefaults {
     double penalty_scale = 0.1;
@@ -59,6 +66,7 @@ struct Reading {
         moved_nodes;                                   ///< first node of each block that an include moves
     std::map<const IncludeTransform*, Affine> motions; ///< of the includes that move what they hold
     std::vector<PendingSet> pending_sets;
+    std::vector<PendingBody> pending_bodies;
     std::vector<Index> parts_without_section, parts_without_material; ///< SECID, MID left at zero
     std::vector<Index> body_load_parts;                               ///< of *LOAD_BODY_PARTS
     ContactDefaults contact_defaults;
@@ -72,6 +80,9 @@ struct Reading {
         const Id id = record.integer(field);
         return id == 0 ? none : table(kind).find(id);
     }
+
+    /// Body with a number: a part or a nodal rigid body; `none` for zero and where there is neither.
+    BodyNumber find_body(Id id);
 
     /// What the include of a block does to its points and directions.
     Affine motion_of(const Block& block) const
@@ -114,6 +125,7 @@ std::span<const Translator> initial_keywords();
 std::span<const Translator> rigid_wall_keywords();
 std::span<const Translator> contact_keywords();
 std::span<const Translator> control_keywords();
+std::span<const Translator> constrained_keywords();
 std::span<const Translator> database_keywords();
 
 /// Moves the nodes of includes as their transformations say.
@@ -123,7 +135,13 @@ void move_included_nodes(Reading& reading);
 void finish_tables(Reading& reading);
 void finish_sets(Reading& reading);
 void finish_loads(Reading& reading);
+void finish_nodal_rigid_bodies(Reading& reading);
 void finish_contacts(Reading& reading);
+
+/// The mass properties that *PART_INERTIA and its kin share; `system_field` names a coordinate system, or
+/// none.
+PartInertia read_inertia(const Record& record, const Block& block, std::string_view system_field,
+                         Reading& reading);
 
 /// Nodes of the elements of some parts, each once, in rising order.
 std::vector<Index> nodes_of_parts(const Model& model, const std::vector<Index>& parts);

@@ -6,12 +6,16 @@
 #include "conditions/prescribed_motion.h"
 #include "contact/contacts.h"
 #include "contact/planar_wall.h"
+#include "contact/wall_on_bodies.h"
 #include "elements/shell_groups.h"
 #include "elements/solid_groups.h"
+#include "rigid/interpolation.h"
+#include "rigid/linear_constraints.h"
 #include "rigid/rigid_bodies.h"
 #include "solver/rigid_parts.h"
 #include "sph/particle_bodies.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -20,7 +24,7 @@ namespace plash {
 namespace {
 
 /// Loads, fixities, driven nodes and walls, in the order in which they act on the forces.
-void add_conditions(Scene& scene)
+void add_conditions(Scene& scene, bool has_bodies)
 {
     const Model& model = scene.model;
     State& state = scene.state;
@@ -28,6 +32,7 @@ void add_conditions(Scene& scene)
     if (!model.body_loads.empty()) scene.terms.push_back(std::make_unique<BodyLoads>(model, state));
     for (const PlanarWall& wall : model.planar_walls) {
         scene.terms.push_back(std::make_unique<PlanarWallTerm>(wall, model, state));
+        if (has_bodies) scene.terms.push_back(std::make_unique<WallOnBodies>(wall, model, state));
     }
     auto motions = std::make_unique<PrescribedMotions>(model, state);
     motions->start(state);
@@ -49,6 +54,15 @@ void scale_masses(Scene& scene)
     scene.added_mass_ratio = mass > 0 ? added / mass : 0;
 }
 
+/// Joints, loads and drives of bodies: without bodies they are errors of the deck.
+bool asks_for_rigid_bodies(const Model& model)
+{
+    const auto& motions = model.prescribed_motions;
+    return !model.joints.empty() || !model.rigid_body_loads.empty() ||
+           std::any_of(motions.begin(), motions.end(),
+                       [](const PrescribedMotion& motion) { return motion.rigid_part != none; });
+}
+
 } // namespace
 
 Scene make_scene(const Model& model)
@@ -68,10 +82,15 @@ Scene make_scene(const Model& model)
         state.mass[model.masses.node[i]] += model.masses.mass[i];
     scale_masses(scene);
     apply_initial_velocities(model, state);
-    add_conditions(scene);
-    std::vector<RigidBody> bodies = make_rigid_bodies(model, state);
-    if (!bodies.empty())
+    auto [interpolated_forces, interpolated_motion] = make_interpolations(model, state);
+    if (interpolated_forces) scene.terms.push_back(std::move(interpolated_forces));
+    RigidSetup bodies = make_rigid_bodies(model, state); // sees the velocities before fixities stop nodes
+    add_conditions(scene, !bodies.bodies.empty());
+    if (!bodies.bodies.empty() || asks_for_rigid_bodies(model))
         scene.terms.push_back(std::make_unique<RigidBodies>(model, std::move(bodies), state));
+    if (auto constraints = make_linear_constraints(model, state))
+        scene.terms.push_back(std::move(constraints));
+    if (interpolated_motion) scene.terms.push_back(std::move(interpolated_motion));
     return scene;
 }
 

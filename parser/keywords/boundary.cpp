@@ -89,7 +89,8 @@ void read_prescribed_motion(const Record& record, const Block&, Reading& reading
     PrescribedMotion motion;
     motion.where = record.where;
     if (record.peek("PID")) {
-        motion.rigid_part = reading.find(record, "PID", Kind::part);
+        motion.rigid_part = reading.find_body(record.integer("PID"));
+        motion.local = record.keyword.ends_with("_LOCAL");
         if (motion.rigid_part == none) return;
     } else {
         motion.nodes = nodes_of(record, reading);
@@ -119,6 +120,7 @@ constexpr Translator keywords[] = {
     {"BOUNDARY_PRESCRIBED_MOTION_NODE", Phase::conditions, read_prescribed_motion},
     {"BOUNDARY_PRESCRIBED_MOTION_SET", Phase::conditions, read_prescribed_motion},
     {"BOUNDARY_PRESCRIBED_MOTION_RIGID", Phase::conditions, read_prescribed_motion},
+    {"BOUNDARY_PRESCRIBED_MOTION_RIGID_LOCAL", Phase::conditions, read_prescribed_motion},
 };
 
 } // namespace

@@ -95,6 +95,8 @@ constexpr Translator keywords[] = {
     {"DATABASE_RWFORC", Phase::conditions, read_ascii},
     {"DATABASE_SPCFORC", Phase::conditions, read_ascii},
     {"DATABASE_BNDOUT", Phase::conditions, read_ascii},
+    {"DATABASE_RBDOUT", Phase::conditions, read_ascii},
+    {"DATABASE_JNTFORC", Phase::conditions, read_ascii},
     {"DATABASE_BINARY_D3PLOT", Phase::conditions, read_d3plot},
     {"DATABASE_EXTENT_BINARY", Phase::conditions, read_extent},
     {"DATABASE_HISTORY_NODE", Phase::conditions, read_node_history},

@@ -108,6 +108,7 @@ void read_generation(const Record& record, const Block& block, Reading& reading)
     velocity.axis = unit(reading.motion_of(block).direction(velocity.axis));
     velocity.angular_velocity = velocity.spin * velocity.axis;
     velocity.set_rotation = velocity.spin != 0;
+    velocity.over_inertia = record.integer("IRIGID") == 1;
     keep(velocity, reading);
 }
 
@@ -115,7 +116,7 @@ void read_rigid_body_velocity(const Record& record, const Block& block, Reading&
 {
     RigidBodyVelocity velocity;
     velocity.where = record.where;
-    velocity.part = reading.find(record, "PID", Kind::part);
+    velocity.part = reading.find_body(record.integer("PID"));
     velocity.translation = to_global(record, block, vector_of(record, "VX", "VY", "VZ"), reading);
     velocity.angular_velocity = to_global(record, block, vector_of(record, "VXR", "VYR", "VZR"), reading);
     if (velocity.part != none) reading.model.rigid_body_velocities.push_back(velocity);

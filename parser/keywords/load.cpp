@@ -54,6 +54,35 @@ void read_body_load(const Record& record, const Block&, Reading& reading)
     if (find_curve(record, load.curve, reading)) reading.model.body_loads.push_back(std::move(load));
 }
 
+/// *LOAD_RIGID_BODY: DOF 1 to 3 force along, 5 to 7 moment about an axis; 4, 8 normal to a plane of nodes.
+void read_rigid_body_load(const Record& record, const Block&, Reading& reading)
+{
+    RigidBodyLoad load;
+    load.where = record.where;
+    load.body = reading.find_body(record.integer("PID"));
+    const Id freedom = record.integer("DOF", 1);
+    if (freedom < 1 || freedom > 8) {
+        reading.error(record, "DOF",
+                      fmt::format("{} is not one of 1 to 3 force, 5 to 7 moment, 4 and 8 follower", freedom));
+        return;
+    }
+    load.moment = freedom > 4;
+    if (freedom % 4 == 0) {
+        constexpr std::string_view fields[] = {"M1", "M2", "M3"};
+        for (int i = 0; i < 3; ++i) {
+            load.plane[i] = reading.table(Kind::node).find(record.integer(fields[i]));
+            if (load.plane[i] == none)
+                reading.error(record, fields[i],
+                              fmt::format("there is no node {}", record.integer(fields[i])));
+        }
+    } else {
+        load.direction = axis_of(record, static_cast<int>((freedom - 1) % 4), reading);
+    }
+    load.scale = record.real("SF", 1);
+    if (find_curve(record, load.curve, reading) && load.body != none)
+        reading.model.rigid_body_loads.push_back(load);
+}
+
 /// *LOAD_BODY_PARTS: all body loads act on these parts only.
 void read_body_parts(const Record& record, const Block&, Reading& reading)
 {
@@ -64,6 +93,7 @@ void read_body_parts(const Record& record, const Block&, Reading& reading)
 constexpr Translator keywords[] = {
     {"LOAD_NODE_POINT", Phase::conditions, read_nodal_load},
     {"LOAD_NODE_SET", Phase::conditions, read_nodal_load},
+    {"LOAD_RIGID_BODY", Phase::conditions, read_rigid_body_load},
     {"LOAD_BODY_X", Phase::conditions, read_body_load},
     {"LOAD_BODY_Y", Phase::conditions, read_body_load},
     {"LOAD_BODY_Z", Phase::conditions, read_body_load},
