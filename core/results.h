@@ -39,6 +39,20 @@ struct ElementResults {
     std::vector<std::uint8_t> shell_deleted; ///< 1: eroded
     std::vector<std::uint8_t> solid_deleted;
 
+    /// A particle (smoothed particle hydrodynamics).
+    struct Particle {
+        double smoothing = 0;       ///< smoothing length h [length]
+        double pressure = 0;        ///< [stress]
+        double density = 0;         ///< [mass/volume]
+        double mass = 0;            ///< [mass]
+        double internal_energy = 0; ///< of the whole particle [energy]
+        double plastic_strain = 0;  ///< of solids; of fluids, as in LS-DYNA, ln(density / reference) [-]
+        Stress stress{};            ///< Cauchy, global axes [stress]
+        int neighbours = 0;         ///< particles closer than the kernel's radius
+        bool active = false;        ///< takes part in the run
+    };
+    std::vector<Particle> particles; ///< by the Model's order (Model::particles); every row or none
+
     /// By part of the Model: mass, kinetic energy and momentum of the element masses, and what eroded
     /// elements of the part held when they went.
     struct PartMotion {

@@ -52,6 +52,7 @@ void D3plotRecorder::write_state(const Snapshot& snapshot)
     clear(r.solid_stress, solids);
     clear(r.solid_plastic_strain, solids);
     clear(r.solid_deleted, solids);
+    clear(r.particles, layout_.particles.size());
     clear(r.part_motion, layout_.parts.size());
     r.walls.clear();
     snapshot.collect(r);
@@ -65,6 +66,7 @@ void D3plotRecorder::write_state(const Snapshot& snapshot)
     put_shells();
     for (Index solid : layout_.solids) family_.put(r.solid_deleted[solid] ? 0 : 1);
     for (Index shell : layout_.shells) family_.put(r.shell_deleted[shell] ? 0 : 1);
+    put_particles(snapshot.model);
     family_.end_state();
 }
 
@@ -119,6 +121,27 @@ void D3plotRecorder::put_shells()
             family_.put(0);
             family_.put(results_.shell_internal_energy[shell]);
         }
+    }
+}
+
+/// Each begins with the place of its part, negative once the particle has left the run.
+void D3plotRecorder::put_particles(const Model& model)
+{
+    std::vector<double> part_place(layout_.parts.size());
+    for (std::size_t i = 0; i < layout_.parts.size(); ++i)
+        part_place[layout_.parts[i]] = static_cast<double>(i + 1);
+    for (Index index : layout_.particles) {
+        const ElementResults::Particle& particle = results_.particles[index];
+        const double part = part_place[model.particles.part[index]];
+        family_.put(particle.active ? part : -part);
+        family_.put(particle.smoothing);
+        family_.put(particle.pressure);
+        put(family_, particle.stress);
+        family_.put(particle.plastic_strain);
+        family_.put(particle.density);
+        family_.put(particle.internal_energy);
+        family_.put(particle.neighbours);
+        family_.put(particle.mass);
     }
 }
 

@@ -27,6 +27,7 @@ private:
     void put_globals(const Snapshot&, const Vec3& velocity);
     void put_solids();
     void put_shells();
+    void put_particles(const Model&);
 };
 
 } // namespace plash

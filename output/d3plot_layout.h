@@ -12,6 +12,7 @@ namespace plash {
 struct D3plotLayout {
     /// Indices into the Model in the order of the database.
     std::vector<Index> nodes, solids, shells, parts;
+    std::vector<Index> particles; ///< by the numbers of their nodes
 
     int layers = 3;                  ///< MAXINT: through-thickness points of shells
     bool shell_stress = true;        ///< SIGFLG
@@ -30,12 +31,15 @@ struct D3plotLayout {
     {
         return layers * (6 * shell_stress + shell_strain) + 8 * shell_forces + 4 * shell_extra;
     }
+    /// Part; h, pressure, six stresses, strain, density, energy, neighbours, mass.
+    std::size_t particle_words() const { return 14; }
     /// Words of a state after its time: globals; coordinates, velocities and accelerations; elements; which
-    /// elements are left.
+    /// elements are left; particles.
     std::size_t state_words() const
     {
         return global_words() + 9 * nodes.size() + solid_words() * solids.size() +
-               shell_words() * shells.size() + solids.size() + shells.size();
+               shell_words() * shells.size() + solids.size() + shells.size() +
+               particle_words() * particles.size();
     }
 };
 

@@ -9,6 +9,7 @@
 #include "output/nodout.h"
 #include "output/rwforc.h"
 #include "output/spcforc.h"
+#include "output/sphout.h"
 #include "output/vtk_series.h"
 
 #include <functional>
@@ -60,6 +61,11 @@ bool has_loads(const Model& model)
     return !model.nodal_loads.empty() || !model.prescribed_motions.empty();
 }
 
+bool has_history_particles(const Model& model)
+{
+    return !model.controls.output.history_particles.empty();
+}
+
 bool has_contacts(const Model& model)
 {
     return !model.contacts.empty();
@@ -75,6 +81,7 @@ const std::vector<AsciiFile>& ascii_files()
         {"elout", has_history_elements, make<EloutRecorder>},
         {"rwforc", has_walls, make<RwforcRecorder>},
         {"spcforc", has_supports, make<SpcforcRecorder>},
+        {"sphout", has_history_particles, make<SphoutRecorder>},
         {"bndout", has_loads, make<BndoutRecorder>},
         {"rcforc", has_contacts, make<RcforcRecorder>},
         {"sleout", has_contacts, make<SleoutRecorder>},

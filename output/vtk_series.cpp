@@ -63,6 +63,8 @@ void add_element_numbers(VtuFile& file, const Model& model)
     std::vector<std::int64_t> ids, parts;
     put_numbers(model.shells, model, ids, parts);
     put_numbers(model.solids, model, ids, parts);
+    for (Index node : model.particles.node) ids.push_back(model.nodes.id[node]);
+    for (Index part : model.particles.part) parts.push_back(model.parts[part].id);
     file.add_cell_array("element_id", 1, ids);
     file.add_cell_array("part_id", 1, parts);
 }
@@ -79,6 +81,7 @@ ElementResults collect_results(const Snapshot& snapshot)
     r.solid_stress.resize(solids);
     r.solid_plastic_strain.resize(solids);
     r.solid_deleted.resize(solids);
+    r.particles.resize(snapshot.model.particles.size());
     snapshot.collect(r);
     return r;
 }
@@ -107,6 +110,13 @@ void add_element_results(VtuFile& file, const ElementResults& r)
         thickness.push_back(0);
     }
     eroded.insert(eroded.end(), r.solid_deleted.begin(), r.solid_deleted.end());
+    for (const ElementResults::Particle& particle : r.particles) {
+        for (auto& layer : stress) put(layer, particle.stress);
+        mises.push_back(static_cast<float>(von_mises(particle.stress)));
+        plastic.push_back(static_cast<float>(particle.plastic_strain));
+        thickness.push_back(0);
+        eroded.push_back(particle.active ? 0 : 1);
+    }
     for (std::uint8_t gone : eroded) ghost.push_back(gone ? hidden_cell : 0);
     file.add_cell_array("eroded", 1, eroded);
     file.add_cell_array("vtkGhostType", 1, ghost);
@@ -118,6 +128,26 @@ void add_element_results(VtuFile& file, const ElementResults& r)
     file.add_cell_array("von_mises", 1, mises);
     file.add_cell_array("plastic_strain", 1, plastic);
     file.add_cell_array("thickness", 1, thickness);
+}
+
+/// What only particles have, zero for the `elements` cells before them.
+void add_particle_results(VtuFile& file, const ElementResults& r)
+{
+    if (r.particles.empty()) return;
+    const std::size_t elements = r.shell_deleted.size() + r.solid_deleted.size();
+    const auto add = [&](const char* name, auto&& value) {
+        std::vector<float> values(elements);
+        for (const ElementResults::Particle& particle : r.particles) {
+            values.push_back(static_cast<float>(value(particle)));
+        }
+        file.add_cell_array(name, 1, values);
+    };
+    using Particle = ElementResults::Particle;
+    add("pressure", [](const Particle& particle) { return particle.pressure; });
+    add("density", [](const Particle& particle) { return particle.density; });
+    add("smoothing_length", [](const Particle& particle) { return particle.smoothing; });
+    add("internal_energy", [](const Particle& particle) { return particle.internal_energy; });
+    add("neighbours", [](const Particle& particle) { return particle.neighbours; });
 }
 
 /// Makes the folder, and removes the states that an earlier run left in it.
@@ -146,6 +176,7 @@ VtkSeries::VtkSeries(const Model& model, Schedule schedule, std::string director
 {
     for (const auto& nodes : model.shells.nodes) cells_.push_back(shell_cell(nodes));
     for (const auto& nodes : model.solids.nodes) cells_.push_back(solid_cell(nodes));
+    for (Index node : model.particles.node) cells_.push_back(vertex_cell(node));
     prepare_folder(directory_ + "/vtk");
     write_index();
 }
@@ -156,7 +187,9 @@ void VtkSeries::write_state(const Snapshot& snapshot)
     for (const Cell& cell : cells_) file.add_cell(cell);
     add_nodes(file, snapshot);
     add_element_numbers(file, snapshot.model);
-    add_element_results(file, collect_results(snapshot));
+    const ElementResults results = collect_results(snapshot);
+    add_element_results(file, results);
+    add_particle_results(file, results);
     const std::string name = fmt::format("vtk/result_{:04}.vtu", files_.size());
     file.write(directory_ + "/" + name, snapshot.clock.time);
     files_.emplace_back(snapshot.clock.time, name);

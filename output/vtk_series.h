@@ -13,10 +13,13 @@ namespace plash {
 /// their times. Both are written in one move, so the series can be opened while the run goes on and after it
 /// was killed. The state at the end of the run is always written.
 ///
-/// By node: node_id, displacement, velocity (of n-1/2, see NodalMotion). By element, shells before solids:
+/// By node: node_id, displacement, velocity (of n-1/2, see NodalMotion). By element, shells before solids
+/// before particles (vertices that have the numbers of their nodes):
 /// element_id, part_id, eroded (ParaView hides those through vtkGhostType), stress (six components in global
 /// axes; shells: the middle layer), stress_inner and stress_outer when there are shells (solids: as stress),
-/// von_mises and plastic_strain (the largest of a shell's layers), thickness (solids: 0).
+/// von_mises and plastic_strain (the largest of a shell's layers), thickness (solids: 0); with particles also
+/// pressure, density, smoothing_length, internal_energy (of the whole particle) and neighbours, zero for
+/// other elements.
 class VtkSeries final : public ScheduledRecorder {
 public:
     VtkSeries(const Model&, Schedule, std::string directory);

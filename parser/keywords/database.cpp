@@ -77,6 +77,13 @@ void read_node_history(const Record& record, const Block&, Reading& reading)
     read_history(record, Kind::node, Kind::node_set, reading.model.controls.output.history_nodes, reading);
 }
 
+/// A particle has the number of its node.
+void read_particle_history(const Record& record, const Block&, Reading& reading)
+{
+    read_history(record, Kind::node, Kind::node_set, reading.model.controls.output.history_particles,
+                 reading);
+}
+
 void read_shell_history(const Record& record, const Block&, Reading& reading)
 {
     read_history(record, Kind::shell, Kind::shell_set, reading.model.controls.output.history_shells, reading);
@@ -95,6 +102,7 @@ constexpr Translator keywords[] = {
     {"DATABASE_RWFORC", Phase::conditions, read_ascii},
     {"DATABASE_SPCFORC", Phase::conditions, read_ascii},
     {"DATABASE_BNDOUT", Phase::conditions, read_ascii},
+    {"DATABASE_SPHOUT", Phase::conditions, read_ascii},
     {"DATABASE_BINARY_D3PLOT", Phase::conditions, read_d3plot},
     {"DATABASE_EXTENT_BINARY", Phase::conditions, read_extent},
     {"DATABASE_HISTORY_NODE", Phase::conditions, read_node_history},
@@ -103,6 +111,8 @@ constexpr Translator keywords[] = {
     {"DATABASE_HISTORY_SHELL", Phase::conditions, read_shell_history},
     {"DATABASE_HISTORY_SHELL_ID", Phase::conditions, read_shell_history},
     {"DATABASE_HISTORY_SHELL_SET", Phase::conditions, read_shell_history},
+    {"DATABASE_HISTORY_SPH", Phase::conditions, read_particle_history},
+    {"DATABASE_HISTORY_SPH_SET", Phase::conditions, read_particle_history},
     {"DATABASE_HISTORY_SOLID", Phase::conditions, read_solid_history},
     {"DATABASE_HISTORY_SOLID_ID", Phase::conditions, read_solid_history},
     {"DATABASE_HISTORY_SOLID_SET", Phase::conditions, read_solid_history},
