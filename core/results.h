@@ -35,6 +35,10 @@ struct ElementResults {
 
     std::vector<Stress> solid_stress;         ///< global axes [stress]
     std::vector<double> solid_plastic_strain; ///< [-]
+    std::vector<double> solid_density;        ///< of Eulerian cells, with what is empty in them; 0 elsewhere
+                                              ///< [density]
+    /// Share of each group of the deck in the volume of Eulerian cells, group by group [-].
+    std::vector<std::vector<double>> solid_fraction;
 
     std::vector<std::uint8_t> shell_deleted; ///< 1: eroded
     std::vector<std::uint8_t> solid_deleted;
@@ -44,6 +48,7 @@ struct ElementResults {
     struct PartMotion {
         double mass = 0, kinetic = 0;
         double momentum[3] = {0, 0, 0};
+        bool outside_state = false;                     ///< this mass is not in State::mass
         double eroded_internal = 0, eroded_kinetic = 0; ///< [energy]
     };
     std::vector<PartMotion> part_motion;
@@ -85,9 +90,15 @@ struct ElementResults {
     /// Force of all contacts on each node, summed by the contacts' terms; empty unless wanted [force].
     std::vector<Vec3> contact_force;
 
+    /// Force of Eulerian fluids on each node, summed by the couplings' terms; empty unless wanted [force].
+    std::vector<Vec3> coupling_force;
+
     /// By node: change of the velocity from n-1/2 to n+1/2 over that span [length/time^2]. Recorders put in
     /// force / mass; terms that move nodes themselves (rigid bodies) overwrite the entries of their nodes.
     std::vector<Vec3> acceleration;
+    /// By node: velocity at n. Recorders put in that of the State; terms whose material flows through a mesh
+    /// overwrite the entries of its nodes. Empty unless the deck has such a mesh.
+    std::vector<Vec3> material_velocity;
     std::vector<Vec3> angular_acceleration; ///< [1/time^2], only with rotations
 };
 

@@ -1,6 +1,7 @@
 #include "elements/solid_groups.h"
 
 #include "elements/solid_laws.h"
+#include "model/eulerian.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -186,7 +187,8 @@ std::vector<std::unique_ptr<SolidGroup>> make_solid_groups(const Model& model, S
     }
     std::vector<std::unique_ptr<SolidGroup>> groups;
     for (std::size_t part = 0; part < elements.size(); ++part) {
-        if (!elements[part].empty()) add_part(model, static_cast<Index>(part), elements[part], state, groups);
+        if (elements[part].empty() || is_eulerian(model, static_cast<Index>(part))) continue;
+        add_part(model, static_cast<Index>(part), elements[part], state, groups);
     }
     return groups;
 }

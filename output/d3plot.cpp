@@ -52,6 +52,8 @@ void D3plotRecorder::write_state(const Snapshot& snapshot)
     clear(r.solid_stress, solids);
     clear(r.solid_plastic_strain, solids);
     clear(r.solid_deleted, solids);
+    if (layout_.fluid_groups > 0) clear(r.solid_density, solids);
+    r.solid_fraction.assign(layout_.fluid_groups, std::vector<double>(layout_.fluid_groups > 0 ? solids : 0));
     clear(r.part_motion, layout_.parts.size());
     r.walls.clear();
     snapshot.collect(r);
@@ -99,6 +101,8 @@ void D3plotRecorder::put_solids()
     for (Index solid : layout_.solids) {
         put(family_, results_.solid_stress[solid]);
         family_.put(results_.solid_plastic_strain[solid]);
+        if (layout_.fluid_groups > 0) family_.put(results_.solid_density[solid]);
+        for (const auto& fraction : results_.solid_fraction) family_.put(fraction[solid]);
     }
 }
 

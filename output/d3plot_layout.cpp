@@ -1,5 +1,7 @@
 #include "output/d3plot_layout.h"
 
+#include "model/eulerian.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -89,6 +91,7 @@ std::vector<std::uint32_t> control_block(const Model& model, const D3plotLayout&
     words[31] = count(layout.shells.size());
     words[32] = parts_with(model.shells.part, part_count);
     words[33] = count(layout.shell_words());
+    words[34] = count(layout.solid_history()); // NEIPH
     words[36] =
         static_cast<std::uint32_t>(-(10000 + layout.layers)); // MAXINT; the minus: deletion per element
     words[39] =
@@ -146,7 +149,8 @@ D3plotLayout::D3plotLayout(const Model& model)
     : nodes(sorted_by_id(model.nodes.id)),
       solids(sorted_by_id(model.solids.id)),
       shells(sorted_by_id(model.shells.id)),
-      walls(model.planar_walls.size())
+      walls(model.planar_walls.size()),
+      fluid_groups(has_eulerian_mesh(model) ? multi_material_groups(model) : 0)
 {
     std::vector<Id> part_ids;
     for (const Part& part : model.parts) part_ids.push_back(part.id);

@@ -20,12 +20,16 @@ struct D3plotLayout {
     bool shell_extra = true;         ///< ENGFLG: thickness, internal energy
     bool one_state_per_file = false; ///< IEVERP
     std::size_t walls = 0;
+    /// Groups of an Eulerian mesh; with one, solids carry density and the share of each group as history
+    /// variables, as LS-DYNA's ALE elements do. 0: no such mesh.
+    std::size_t fluid_groups = 0;
 
     /// Takes *DATABASE_EXTENT_BINARY into account.
     explicit D3plotLayout(const Model&);
 
     std::size_t global_words() const { return 6 + 7 * parts.size() + 4 * walls; }
-    std::size_t solid_words() const { return 7; }
+    std::size_t solid_history() const { return fluid_groups > 0 ? 1 + fluid_groups : 0; }
+    std::size_t solid_words() const { return 7 + solid_history(); }
     std::size_t shell_words() const
     {
         return layers * (6 * shell_stress + shell_strain) + 8 * shell_forces + 4 * shell_extra;

@@ -3,6 +3,7 @@
 #include "output/bndout.h"
 #include "output/contact_files.h"
 #include "output/d3plot.h"
+#include "output/dbfsi.h"
 #include "output/elout.h"
 #include "output/glstat.h"
 #include "output/matsum.h"
@@ -95,6 +96,10 @@ std::vector<std::unique_ptr<Recorder>> make_recorders(const Model& model, const 
         if (!asked_for(request->second) || !file.wanted(model)) continue;
         recorders.push_back(
             file.make(model, schedule_of(request->second, model), directory + "/" + file.name));
+    }
+    if (has_fluid_surfaces(model)) {
+        recorders.push_back(
+            std::make_unique<DbfsiRecorder>(model, fluid_surface_schedule(model), directory + "/dbfsi"));
     }
     const OutputRequest& d3plot = model.controls.output.d3plot;
     if (asked_for(d3plot)) {

@@ -1,6 +1,7 @@
 #include "output/vtk_series.h"
 
 #include "core/run_error.h"
+#include "model/eulerian.h"
 #include "output/nodal_motion.h"
 #include "output/result_file.h"
 #include "output/vtu_file.h"
@@ -79,6 +80,10 @@ ElementResults collect_results(const Snapshot& snapshot)
     r.solid_stress.resize(solids);
     r.solid_plastic_strain.resize(solids);
     r.solid_deleted.resize(solids);
+    if (has_eulerian_mesh(snapshot.model)) {
+        r.solid_density.resize(solids);
+        r.solid_fraction.assign(multi_material_groups(snapshot.model), std::vector<double>(solids));
+    }
     snapshot.collect(r);
     return r;
 }
@@ -120,6 +125,28 @@ void add_element_results(VtuFile& file, const ElementResults& r)
     file.add_cell_array("thickness", 1, thickness);
 }
 
+/// By element, shells (zero) before solids.
+std::vector<float> behind_shells(std::size_t shells, const std::vector<double>& of_solids)
+{
+    std::vector<float> values(shells, 0.0f);
+    for (double value : of_solids) values.push_back(static_cast<float>(value));
+    return values;
+}
+
+/// What flows through Eulerian meshes.
+void add_fluid_results(VtuFile& file, const ElementResults& r)
+{
+    const std::size_t shells = r.shell_deleted.size();
+    if (r.solid_density.empty()) return;
+    std::vector<double> pressure;
+    for (const Stress& s : r.solid_stress) pressure.push_back(-(s.xx + s.yy + s.zz) / 3);
+    file.add_cell_array("density", 1, behind_shells(shells, r.solid_density));
+    file.add_cell_array("pressure", 1, behind_shells(shells, pressure));
+    for (std::size_t group = 0; group < r.solid_fraction.size(); ++group)
+        file.add_cell_array(fmt::format("volume_fraction_{}", group + 1), 1,
+                            behind_shells(shells, r.solid_fraction[group]));
+}
+
 /// Makes the folder, and removes the states that an earlier run left in it.
 void prepare_folder(const std::string& folder)
 {
@@ -156,7 +183,9 @@ void VtkSeries::write_state(const Snapshot& snapshot)
     for (const Cell& cell : cells_) file.add_cell(cell);
     add_nodes(file, snapshot);
     add_element_numbers(file, snapshot.model);
-    add_element_results(file, collect_results(snapshot));
+    const ElementResults results = collect_results(snapshot);
+    add_element_results(file, results);
+    add_fluid_results(file, results);
     const std::string name = fmt::format("vtk/result_{:04}.vtu", files_.size());
     file.write(directory_ + "/" + name, snapshot.clock.time);
     files_.emplace_back(snapshot.clock.time, name);

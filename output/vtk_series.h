@@ -16,7 +16,8 @@ namespace plash {
 /// By node: node_id, displacement, velocity (of n-1/2, see NodalMotion). By element, shells before solids:
 /// element_id, part_id, eroded (ParaView hides those through vtkGhostType), stress (six components in global
 /// axes; shells: the middle layer), stress_inner and stress_outer when there are shells (solids: as stress),
-/// von_mises and plastic_strain (the largest of a shell's layers), thickness (solids: 0).
+/// von_mises and plastic_strain (the largest of a shell's layers), thickness (solids: 0). With an Eulerian
+/// mesh also density, pressure and volume_fraction_1 ... of each group of the deck.
 class VtkSeries final : public ScheduledRecorder {
 public:
     VtkSeries(const Model&, Schedule, std::string directory);

@@ -9,6 +9,7 @@ constexpr std::span<const Translator> (*families[])() = {
     property_keywords,   part_keywords,     curve_keywords,   geometry_keywords,
     set_keywords,        boundary_keywords, load_keywords,    initial_keywords,
     rigid_wall_keywords, contact_keywords,  control_keywords, database_keywords,
+    ale_keywords,
 };
 
 bool matches(std::string_view pattern, std::string_view keyword)

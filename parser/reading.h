@@ -115,6 +115,7 @@ std::span<const Translator> rigid_wall_keywords();
 std::span<const Translator> contact_keywords();
 std::span<const Translator> control_keywords();
 std::span<const Translator> database_keywords();
+std::span<const Translator> ale_keywords();
 
 /// Moves the nodes of includes as their transformations say.
 void move_included_nodes(Reading& reading);

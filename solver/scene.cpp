@@ -1,5 +1,7 @@
 #include "solver/scene.h"
 
+#include "ale/coupling/fluid_coupling.h"
+#include "ale/fluid_term.h"
 #include "conditions/fixities.h"
 #include "conditions/initial_velocity.h"
 #include "conditions/loads.h"
@@ -37,6 +39,18 @@ void add_conditions(Scene& scene)
     if (!fixities->empty()) scene.terms.push_back(std::move(fixities));
 }
 
+/// Fluids in Eulerian meshes and what couples them with structures.
+void add_eulerian_fluids(Scene& scene)
+{
+    std::vector<EulerianFluid*> fluids;
+    for (auto& fluid : make_eulerian_fluids(scene.model)) {
+        fluids.push_back(fluid.get());
+        scene.terms.push_back(std::move(fluid));
+    }
+    for (auto& coupling : make_fluid_couplings(scene.model, fluids, scene.state))
+        scene.terms.push_back(std::move(coupling));
+}
+
 /// *CONTROL_TIMESTEP DT2MS: the step that the deck wants, bought with mass. Negative: only where it is
 /// needed.
 void scale_masses(Scene& scene)
@@ -62,6 +76,7 @@ Scene make_scene(const Model& model)
     for (auto& group : make_shell_groups(model, state)) scene.terms.push_back(std::move(group));
     for (auto& group : make_solid_groups(model, state)) scene.terms.push_back(std::move(group));
     for (auto& body : make_particle_bodies(model, state)) scene.terms.push_back(std::move(body));
+    add_eulerian_fluids(scene);
     for (auto& contact : make_contacts(model)) scene.terms.push_back(std::move(contact));
     add_rigid_masses(model, state);
     for (std::size_t i = 0; i < model.masses.size(); ++i)
