@@ -21,12 +21,15 @@ struct EnergyLedger {
     double eroded_hourglass = 0;
     double advection_loss = 0;
     double external_work = 0;
+    /// Put in by prescribed stresses (preloads); no work of loads, so not part of `external_work`, but known
+    /// to the balance.
+    double preload_work = 0;
 
     std::vector<double> part_internal; ///< by part of the Model
     std::vector<double> part_hourglass;
 
     double initial_total = 0; ///< total at the first cycle
-    double largest_error = 0; ///< largest |total - initial - external work| so far [energy]
+    double largest_error = 0; ///< largest |total - initial - external and preload work| so far [energy]
     double largest_turnover =
         0; ///< largest of |initial + external work| and kinetic + internal so far [energy]
 

@@ -18,9 +18,11 @@ struct ElementResults {
     /// want the element. Empty: every element is wanted and its row is its own index.
     std::vector<Index> shell_rows;
     std::vector<Index> solid_rows;
+    std::vector<Index> beam_rows;
 
     Index row_of_shell(Index shell) const { return shell_rows.empty() ? shell : shell_rows[shell]; }
     Index row_of_solid(Index solid) const { return solid_rows.empty() ? solid : solid_rows[solid]; }
+    Index row_of_beam(Index beam) const { return beam_rows.empty() ? beam : beam_rows[beam]; }
 
     /// Shells carry their through-thickness points as `shell_layers` rows an element, from bottom to top.
     /// With three layers (LS-DYNA's MAXINT = 3) they are the middle, the innermost and the outermost
@@ -36,8 +38,25 @@ struct ElementResults {
     std::vector<Stress> solid_stress;         ///< global axes [stress]
     std::vector<double> solid_plastic_strain; ///< [-]
 
+    /// Of a beam in its local axes r (from node 1 to 2), s and t. Bending moments are those at mid-length,
+    /// about the axis that they are named after.
+    struct BeamState {
+        double axial = 0, shear_s = 0, shear_t = 0;     ///< [force]
+        double moment_s = 0, moment_t = 0, torsion = 0; ///< [moment]
+        double plastic_strain = 0;                      ///< largest of the points [-]
+        double length = 0;                              ///< [length]
+    };
+    struct BeamPoint {
+        double axial = 0, shear_rs = 0, shear_tr = 0; ///< [stress]
+        double plastic_strain = 0;
+    };
+    std::vector<BeamState> beams;
+    int beam_points = 0;                ///< points shown of each beam; 0: none
+    std::vector<BeamPoint> beam_stress; ///< element x point
+
     std::vector<std::uint8_t> shell_deleted; ///< 1: eroded
     std::vector<std::uint8_t> solid_deleted;
+    std::vector<std::uint8_t> beam_deleted;
 
     /// By part of the Model: mass, kinetic energy and momentum of the element masses, and what eroded
     /// elements of the part held when they went.

@@ -22,7 +22,7 @@ struct State {
 
     /// Elements deleted so far, by the Model's order (1: gone); empty until something may erode. Whoever
     /// deletes an element marks it here and raises `deletions`, so that contacts see their surfaces change.
-    std::vector<std::uint8_t> deleted_shells, deleted_solids;
+    std::vector<std::uint8_t> deleted_shells, deleted_solids, deleted_beams;
     long deletions = 0;
 
     std::size_t size() const { return position.size(); }

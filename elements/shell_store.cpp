@@ -233,6 +233,15 @@ void ShellStore::collect(const State& state, ElementResults& results) const
     if (!results.part_motion.empty()) results.part_motion[part].eroded_internal += eroded_internal_;
 }
 
+std::pair<double, double> ShellStore::place_of(Index batch, int lane, int point) const
+{
+    if (ply_place == none) {
+        return {settings.rule.place[point] - settings.reference_offset, settings.rule.weight[point]};
+    }
+    const Lanes* values = record(batch) + shell_record::points + point * point_size_ + shell_record::history;
+    return {values[ply_place][lane], values[ply_weight][lane]};
+}
+
 void ShellStore::collect_element(const State& state, Index batch, int lane, ElementResults& results) const
 {
     using namespace shell_record;
@@ -283,8 +292,9 @@ void ShellStore::collect_element(const State& state, Index batch, int lane, Elem
     ShellResultants<double> sum;
     const double thickness_now = values[thickness][lane];
     for (int point = 0; point < settings.rule.size(); ++point) {
-        const double z = 0.5 * thickness_now * (settings.rule.place[point] - settings.reference_offset);
-        const double force = settings.rule.weight[point] * thickness_now;
+        const auto [place, weight] = place_of(batch, lane, point);
+        const double z = 0.5 * thickness_now * place;
+        const double force = weight * thickness_now;
         sum.nxx += force * point_value(point, stress_xx);
         sum.nyy += force * point_value(point, stress_yy);
         sum.nxy += force * point_value(point, stress_xy);

@@ -63,6 +63,12 @@ public:
     void report(EnergyLedger& ledger) const;
     void collect(const State& state, ElementResults& results) const;
 
+    int plane_points() const { return plane_points_; }
+    /// Place and weight of a point through the thickness: of the rule, or of the plies in the record.
+    std::pair<double, double> place_of(Index batch, int lane, int point) const;
+    /// Which variables of a point hold place and weight of its ply; none: there are no plies.
+    Index ply_place = none, ply_weight = none;
+
 private:
     double eroded_internal_ = 0, eroded_hourglass_ = 0; ///< [energy]
     std::size_t record_size_;

@@ -108,6 +108,15 @@ struct RigidBodyVelocity {
     Location where;
 };
 
+/// *INITIAL_AXIAL_FORCE_BEAM: axial force scale * curve(t) of some beams until the curve ends.
+struct BeamPreload {
+    std::vector<Index> beams;
+    Index curve = none;
+    double scale = 1;
+    bool keeps_bending = false; ///< KBEND = 1: only the mean axial stress is prescribed
+    Location where;
+};
+
 /// *RIGIDWALL_PLANAR: half space behind a plane that nodes may not enter.
 struct PlanarWall {
     Id id = 0;

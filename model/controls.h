@@ -63,6 +63,7 @@ struct OutputControls {
     std::vector<Index> history_nodes;
     std::vector<Index> history_shells;
     std::vector<Index> history_solids;
+    std::vector<Index> history_beams;
     std::map<std::string, double> extent; ///< *DATABASE_EXTENT_BINARY by field name, where the deck has it
 };
 

@@ -27,6 +27,13 @@ struct Elements {
     std::size_t size() const { return id.size(); }
 };
 
+/// One ply of a composite part or element.
+struct Layer {
+    Index material = none;
+    double thickness = 0; ///< [length]
+    double angle = 0;     ///< of the material axes [degree]
+};
+
 struct ShellElements : Elements<4> {
     /// [length] at the four corners; empty unless some element of the deck has its own thickness.
     /// A zero first entry means: as the section says.
@@ -34,6 +41,10 @@ struct ShellElements : Elements<4> {
     std::vector<double> material_angle; ///< BETA [degree]; empty unless some element has one
     std::vector<double> offset; ///< of the reference surface along the normal [length]; empty or as above
     std::vector<std::array<Index, 4>> mid_nodes; ///< of eight-node shells; empty unless there are any
+    /// Plies of elements that have their own (_COMPOSITE), bottom first: those of element i begin at
+    /// layer_begin[i] and end where the next one's begin. Both empty unless there are any.
+    std::vector<Layer> layers;
+    std::vector<Index> layer_begin;
 };
 
 /// Axes of an element's own material directions, as *ELEMENT_SOLID_ORTHO gives them.
@@ -80,13 +91,6 @@ struct ParticleElements {
     std::vector<double> mass; ///< [mass]; negative: minus the volume [length^3]
 
     std::size_t size() const { return node.size(); }
-};
-
-/// One ply of a composite part.
-struct Layer {
-    Index material = none;
-    double thickness = 0; ///< [length]
-    double angle = 0;     ///< of the material axes [degree]
 };
 
 /// A part: which section, material and so on its elements have (indices into the Model, or `none`).

@@ -92,6 +92,7 @@ struct Model {
     std::vector<BodyLoad> body_loads;
     std::vector<InitialVelocity> initial_velocities;
     std::vector<RigidBodyVelocity> rigid_body_velocities;
+    std::vector<BeamPreload> beam_preloads;
     std::vector<PlanarWall> planar_walls;
     std::vector<Contact> contacts;
     std::map<Index, PartInertia> part_inertias; ///< by part, where the deck has *PART_INERTIA

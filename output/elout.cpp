@@ -1,6 +1,7 @@
 #include "output/elout.h"
 
 #include "output/ascii_text.h"
+#include "output/beam_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,6 +124,7 @@ EloutRecorder::EloutRecorder(const Model& model, Schedule schedule, const std::s
         shell_points_.push_back(points);
         shell_layers_ = std::max(shell_layers_, points);
     }
+    beams_ = without_repeats(model.controls.output.history_beams);
     file_.write(ascii_heading(model) + "\n\n");
 }
 
@@ -166,6 +168,7 @@ void EloutRecorder::write_state(const Snapshot& snapshot)
     const long cycle = snapshot.clock.cycle + 1;
     if (!solids.empty()) file_.write(format_elout_solids(cycle, snapshot.clock.time, solids));
     if (!shells.empty()) file_.write(format_elout_shells(cycle, snapshot.clock.time, shells));
+    if (!beams_.empty()) file_.write(format_elout_beams(snapshot, beams_));
     file_.flush();
 }
 

@@ -1,5 +1,6 @@
 #include "output/recorders.h"
 
+#include "output/beam_files.h"
 #include "output/bndout.h"
 #include "output/contact_files.h"
 #include "output/d3plot.h"
@@ -42,7 +43,13 @@ bool has_history_nodes(const Model& model)
 
 bool has_history_elements(const Model& model)
 {
-    return !model.controls.output.history_shells.empty() || !model.controls.output.history_solids.empty();
+    const OutputControls& output = model.controls.output;
+    return !output.history_shells.empty() || !output.history_solids.empty() || !output.history_beams.empty();
+}
+
+bool has_spot_welds(const Model& model)
+{
+    return !spot_weld_beams(model).empty();
 }
 
 bool has_walls(const Model& model)
@@ -73,6 +80,7 @@ const std::vector<AsciiFile>& ascii_files()
         {"matsum", always, make<MatsumRecorder>},
         {"nodout", has_history_nodes, make<NodoutRecorder>},
         {"elout", has_history_elements, make<EloutRecorder>},
+        {"swforc", has_spot_welds, make<SwforcRecorder>},
         {"rwforc", has_walls, make<RwforcRecorder>},
         {"spcforc", has_supports, make<SpcforcRecorder>},
         {"bndout", has_loads, make<BndoutRecorder>},

@@ -155,6 +155,16 @@ private:
             return last(model.shell_sets);
         case Kind::solid_set:
             return last(model.solid_sets);
+        case Kind::beam:
+            return last(model.beams);
+        case Kind::beam_set:
+            return last(model.beam_sets);
+        case Kind::discrete:
+            return last(model.discretes);
+        case Kind::discrete_set:
+            return last(model.discrete_sets);
+        case Kind::tshell_set:
+            return last(model.thick_shell_sets);
         default:
             return last(model.others);
         }

@@ -6,6 +6,8 @@
 #include "conditions/prescribed_motion.h"
 #include "contact/contacts.h"
 #include "contact/planar_wall.h"
+#include "elements/beam_groups.h"
+#include "elements/discrete_springs.h"
 #include "elements/shell_groups.h"
 #include "elements/solid_groups.h"
 #include "rigid/rigid_bodies.h"
@@ -61,6 +63,8 @@ Scene make_scene(const Model& model)
     state.mass.resize(state.size());
     for (auto& group : make_shell_groups(model, state)) scene.terms.push_back(std::move(group));
     for (auto& group : make_solid_groups(model, state)) scene.terms.push_back(std::move(group));
+    for (auto& group : make_beam_groups(model, state)) scene.terms.push_back(std::move(group));
+    if (auto springs = make_springs(model, state)) scene.terms.push_back(std::move(springs));
     for (auto& body : make_particle_bodies(model, state)) scene.terms.push_back(std::move(body));
     for (auto& contact : make_contacts(model)) scene.terms.push_back(std::move(contact));
     add_rigid_masses(model, state);

@@ -67,6 +67,7 @@ void read_history(const Record& record, Kind kind, Kind set_kind, std::vector<In
         const Model& model = reading.model;
         const std::vector<Index>& members = set_kind == Kind::node_set    ? model.node_sets[found].nodes
                                             : set_kind == Kind::shell_set ? model.shell_sets[found].elements
+                                            : set_kind == Kind::beam_set  ? model.beam_sets[found].elements
                                                                           : model.solid_sets[found].elements;
         chosen.insert(chosen.end(), members.begin(), members.end());
     }
@@ -80,6 +81,11 @@ void read_node_history(const Record& record, const Block&, Reading& reading)
 void read_shell_history(const Record& record, const Block&, Reading& reading)
 {
     read_history(record, Kind::shell, Kind::shell_set, reading.model.controls.output.history_shells, reading);
+}
+
+void read_beam_history(const Record& record, const Block&, Reading& reading)
+{
+    read_history(record, Kind::beam, Kind::beam_set, reading.model.controls.output.history_beams, reading);
 }
 
 void read_solid_history(const Record& record, const Block&, Reading& reading)
@@ -103,6 +109,10 @@ constexpr Translator keywords[] = {
     {"DATABASE_HISTORY_SHELL", Phase::conditions, read_shell_history},
     {"DATABASE_HISTORY_SHELL_ID", Phase::conditions, read_shell_history},
     {"DATABASE_HISTORY_SHELL_SET", Phase::conditions, read_shell_history},
+    {"DATABASE_HISTORY_BEAM", Phase::conditions, read_beam_history},
+    {"DATABASE_HISTORY_BEAM_ID", Phase::conditions, read_beam_history},
+    {"DATABASE_HISTORY_BEAM_SET", Phase::conditions, read_beam_history},
+    {"DATABASE_SWFORC", Phase::conditions, read_ascii},
     {"DATABASE_HISTORY_SOLID", Phase::conditions, read_solid_history},
     {"DATABASE_HISTORY_SOLID_ID", Phase::conditions, read_solid_history},
     {"DATABASE_HISTORY_SOLID_SET", Phase::conditions, read_solid_history},

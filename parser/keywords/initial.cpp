@@ -1,4 +1,4 @@
-// *INITIAL_VELOCITY family.
+// *INITIAL_VELOCITY family and *INITIAL_AXIAL_FORCE_BEAM.
 
 #include "parser/reading.h"
 
@@ -121,7 +121,28 @@ void read_rigid_body_velocity(const Record& record, const Block& block, Reading&
     if (velocity.part != none) reading.model.rigid_body_velocities.push_back(velocity);
 }
 
+void read_beam_preload(const Record& record, const Block&, Reading& reading)
+{
+    BeamPreload preload;
+    preload.where = record.where;
+    const Index set = reading.find(record, "BSID", Kind::beam_set);
+    if (set != none) preload.beams = reading.model.beam_sets[set].elements;
+    preload.curve = reading.find(record, "LCID", Kind::curve);
+    if (record.integer("LCID") == 0) reading.error(record, "LCID", "a preload needs a curve of its force");
+    preload.scale = record.real("SCALE", 1);
+    if (preload.scale == 0) preload.scale = 1; // an empty field
+    const Id bending = record.integer("KBEND");
+    if (bending != 0 && bending != 1) {
+        reading.error(record, "KBEND",
+                      fmt::format("{} is not supported (0: bending is free under the preload, 1: it is kept)",
+                                  bending));
+    }
+    preload.keeps_bending = bending == 1;
+    reading.model.beam_preloads.push_back(std::move(preload));
+}
+
 constexpr Translator keywords[] = {
+    {"INITIAL_AXIAL_FORCE_BEAM", Phase::conditions, read_beam_preload},
     {"INITIAL_VELOCITY", Phase::conditions, read_velocity},
     {"INITIAL_VELOCITY_NODE", Phase::conditions, read_node_velocity},
     {"INITIAL_VELOCITY_GENERATION", Phase::conditions, read_generation},

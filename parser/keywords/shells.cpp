@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace plash {
 namespace {
@@ -30,6 +31,7 @@ public:
             if (&card == &block.keyword.layout->cards.front()) continue;
             if (card.repeat == CardLayout::Repeat::rows) {
                 layers_ = true;
+                layer_line_.emplace(block, reading, card.fields);
                 continue;
             }
             ExtraLine extra{NumberLine(block, reading, card.fields), !card.condition.empty()};
@@ -85,7 +87,8 @@ private:
             if (extra.angle != none) angle = extra.numbers.real(extra.angle);
             if (extra.offset != none) offset = extra.numbers.real(extra.offset);
         }
-        if (layers_) skip_layers();
+        std::vector<Layer> layers;
+        if (layers_) fine = read_layers(layers) && fine;
         if (!fine || !ids_.is_number(id, number)) return;
         const Index part = ids_.find_part(first_.id(1), id, number);
         std::array<Index, 4> nodes{}, mid_nodes{};
@@ -104,20 +107,45 @@ private:
         put(shells.thickness, thickness, thickness[0] != 0);
         put(shells.material_angle, angle, angle != 0);
         put(shells.offset, offset, offset != 0);
+        if (!layers.empty() || !shells.layer_begin.empty()) {
+            // Elements before the first with plies have none.
+            shells.layer_begin.resize(shells.size(), 0);
+            shells.layer_begin.back() = static_cast<Index>(shells.layers.size());
+            shells.layers.insert(shells.layers.end(), layers.begin(), layers.end());
+        }
         if (has_mid_nodes || !shells.mid_nodes.empty()) {
             shells.mid_nodes.resize(shells.size(), {none, none, none, none});
             if (has_mid_nodes) shells.mid_nodes.back() = mid_nodes;
         }
     }
 
-    /// Lines of layers go on until one that can only be an element: whole numbers without a point.
-    void skip_layers()
+    /// Lines of layers, one or two plies each, go on until one that can only be an element: whole numbers
+    /// without a point.
+    bool read_layers(std::vector<Layer>& layers)
     {
+        bool fine = true;
         std::string_view line;
         for (LineCursor ahead = cursor_; ahead.next_data(line); cursor_ = ahead) {
-            if (line.find('.') == std::string_view::npos && !trimmed(line).empty()) return;
-            ++reading_.report.fields.unsupported;
+            if (line.find('.') == std::string_view::npos && !trimmed(line).empty()) break;
+            if (!layer_line_->read(line, ahead.line())) {
+                fine = false;
+                continue;
+            }
+            for (int column : {0, 4}) {
+                const Id id = layer_line_->id(column);
+                if (id == 0 || layer_line_->real(column + 1) == 0) continue;
+                Layer layer{reading_.table(Kind::material).find(id), layer_line_->real(column + 1),
+                            layer_line_->real(column + 2)};
+                if (layer.material == none) {
+                    reading_.report.error({block_.where.file, ahead.line()}, block_.keyword.name,
+                                          column == 0 ? "MID1" : "MID2",
+                                          fmt::format("there is no material {}", id));
+                    fine = false;
+                }
+                layers.push_back(layer);
+            }
         }
+        return fine;
     }
 
     const Block& block_;
@@ -127,6 +155,7 @@ private:
     std::vector<ExtraLine> extra_lines_;
     ElementIds ids_;
     bool layers_ = false;
+    std::optional<NumberLine> layer_line_;
 };
 
 void read_shells(const Block& block, Reading& reading)
