@@ -3,6 +3,7 @@
 #include "contact/bounding_tree.h"
 #include "contact/contact_mesh.h"
 #include "contact/mesh_motion.h"
+#include "core/archive.h"
 
 namespace plash {
 
@@ -12,6 +13,8 @@ struct PairList {
     std::vector<Index> facet; ///< of each pair, rising for each node
     /// Path (see MeshMotion::travelled) before which the pair cannot touch [length]; kept by the TouchFinder.
     std::vector<double> due;
+
+    void serialise(Archive& archive) { archive(node, facet, due); }
 };
 
 /// Finds pairs closer than what contact needs plus a margin, and tells when they must be found again.
@@ -35,6 +38,7 @@ public:
     const PairList& pairs() const { return pairs_; }
     double margin() const { return margin_; }
     long searches() const { return searches_; }
+    void serialise(Archive& archive) { archive(order_, searched_at_, test_due_, pairs_, searches_); }
 
 private:
     const std::vector<std::array<Index, 8>>* solid_nodes_ = nullptr;

@@ -72,10 +72,12 @@ void SurfaceContact::take_masses(const State& state)
 
 void SurfaceContact::follow_erosion(const State& state)
 {
-    if (state.deletions == deletions_seen_) return;
+    const bool known = state.deletions == deletions_seen_;
+    if (known && !restarted_) return;
+    if (!known) search_.forget();
+    restarted_ = false;
     deletions_seen_ = state.deletions;
     mesh_.update_exposed(state);
-    search_.forget();
 }
 
 void SurfaceContact::find_touches()
@@ -264,6 +266,21 @@ std::vector<std::string> SurfaceContact::notices(const State& state) const
 {
     if (contact_.birth > 0) return {};
     return describe(initial_penetrations(contact_, mesh_, search_, state), contact_, mesh_, model_);
+}
+
+void SurfaceContact::serialise(Archive& archive)
+{
+    archive(mass_, motion_.travelled, sum_now_, deletions_seen_, soft_step_, energy_);
+    search_.serialise(archive);
+    now_.serialise(archive);
+    if (!archive.loading()) return;
+    now_.first.assign(now_.chunks.empty() ? 0 : mesh_.nodes.size(), nullptr);
+    for (std::size_t chunk = 0; chunk < now_.chunks.size(); ++chunk) now_.index(chunk);
+    before_.clear();
+    for (std::size_t i = 0; i < mass_.size(); ++i) {
+        if (mass_[i] == 0) mesh_.nodes[i].acts_on = 0;
+    }
+    restarted_ = deletions_seen_ > 0;
 }
 
 /// Resultants of both sides.

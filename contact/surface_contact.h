@@ -27,6 +27,7 @@ public:
     std::vector<std::string> notices(const State& state) const override;
     void report(EnergyLedger& ledger) const override { ledger.sliding += energy_.slave + energy_.master; }
     void collect(const State& state, ElementResults& results) const override;
+    void serialise(Archive& archive) override;
 
     const Contact& contact() const { return contact_; }
     const ContactMesh& mesh() const { return mesh_; }
@@ -55,7 +56,8 @@ private:
     TouchList now_, before_;
     std::vector<NodeSum> sum_now_, sum_before_; ///< by mesh node; all zero without touches
     long deletions_seen_ = 0;
-    double soft_step_ = 0; ///< longest step so far [time]
+    bool restarted_ = false; ///< the mesh does not know yet what erosion had taken before the restart
+    double soft_step_ = 0;   ///< longest step so far [time]
     bool soft_changed_ = false;
     Energy energy_;
     StepVote vote_;

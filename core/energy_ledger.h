@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/archive.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -37,6 +39,9 @@ struct EnergyLedger {
 
     /// Books internal and hourglass energy under a part and in the totals.
     void add_part(int part, double internal_energy, double hourglass_energy);
+
+    /// The balance over the run; terms book the rest anew.
+    void serialise(Archive& archive) { archive(initial_total, largest_error, largest_turnover, started_); }
 
     double total() const;
     /// Largest balance error of the run over its largest turnover [-].

@@ -5,6 +5,7 @@
 #include "model/record.h"
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 namespace plash {
@@ -48,12 +49,31 @@ struct ElementResults {
     };
     std::vector<PartMotion> part_motion;
 
+    /// What the elements of a cross section exert on its nodes, by section of the Model; sized (with the
+    /// centroids set) by whoever wants it.
+    struct SectionForce {
+        Vec3 force{};
+        Vec3 moment{}; ///< about the centroid [moment]
+        Vec3 centroid{};
+    };
+    std::vector<SectionForce> sections;
+
+    /// Stable steps of single elements at the start [time], before the deck's safety factor.
+    struct ElementStep {
+        std::string_view kind{}; ///< "shell", "solid" ...
+        Id element = 0, part = 0;
+        double step = 0;
+    };
+    bool steps_wanted = false;
+    std::vector<ElementStep> steps; ///< appended by the element groups
+
     /// Force of the nodes on each rigid wall; `normal` is its share against the wall's normal [force].
     struct WallForce {
         Id wall = 0;
         double normal = 0;
         Vec3 force{};
         double energy = 0; ///< taken out of the motion so far [energy]
+        Vec3 moved{};      ///< of the wall since the start [length]
     };
     std::vector<WallForce> walls; ///< appended by the walls' terms
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/archive.h"
 #include "math/vector3.h"
 #include "model/record.h"
 
@@ -32,6 +33,9 @@ struct State {
     void clear_forces();
     /// Allocates the rotational arrays if they are not there yet.
     void need_rotation();
+
+    /// Positions and velocities between two cycles, masses, what is deleted.
+    void serialise(Archive& archive);
 };
 
 } // namespace plash

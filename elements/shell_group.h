@@ -26,6 +26,7 @@ public:
         return store_.scale_mass(step, only_small, state);
     }
     void report(EnergyLedger& ledger) const override { store_.report(ledger); }
+    void serialise(Archive& archive) override { store_.serialise(archive); }
     void collect(const State& state, ElementResults& results) const override
     {
         store_.collect(state, results);

@@ -35,6 +35,7 @@ SolidGroup::SolidGroup(SolidSetup setup, const State& state, int history_size, i
     : setup_(std::move(setup)),
       patches_(8, setup_.elements, setup_.connectivity, state.position,
                patch_length_of(setup_.elements.size())),
+      section_watch_(setup_.model, &CrossSection::solids, setup_.model.solids.size(), patches_),
       sums_(patches_.patches.size()),
       name_(fmt::format("solids of part {}", setup_.model.parts[setup_.part].id)),
       history_size_(history_size),
@@ -260,12 +261,23 @@ void SolidGroup::report(EnergyLedger& ledger) const
     ledger.eroded_hourglass += eroded_hourglass_;
 }
 
+void SolidGroup::serialise(Archive& archive)
+{
+    archive(smallest_step_, history_, alive_, viscous_, eroded_internal_, eroded_hourglass_);
+}
+
 void SolidGroup::collect(const State& state, ElementResults& results) const
 {
+    section_watch_.collect(patches_, state, results);
     if (!results.part_motion.empty()) results.part_motion[setup_.part].eroded_internal += eroded_internal_;
     for_each_element([&](const Patches::Patch& patch, std::size_t place) {
         const Lanes* history = &history_[place / lane_count * history_size_];
         const int lane = static_cast<int>(place % lane_count);
+        if (results.steps_wanted) {
+            const double factor = step_factor_.empty() ? 1 : step_factor_[place / lane_count][lane];
+            results.steps.push_back({"solid", setup_.model.solids.id[element_of(place)],
+                                     setup_.model.parts[setup_.part].id, factor * first_step_[place]});
+        }
         const Index row = results.row_of_solid(static_cast<Index>(element_of(place)));
         const bool wanted = row != none;
         if (wanted && !results.solid_stress.empty()) {

@@ -2,6 +2,7 @@
 
 #include "core/term.h"
 #include "elements/patches.h"
+#include "elements/section_watch.h"
 #include "elements/solid_step.h"
 #include "model/model.h"
 
@@ -33,6 +34,7 @@ public:
     StepVote stable_step() const override { return vote_; }
     double scale_mass(double step, bool only_small, State&) override;
     void report(EnergyLedger&) const override;
+    void serialise(Archive&) override;
     void collect(const State&, ElementResults&) const override;
 
     Index part() const { return setup_.part; }
@@ -75,6 +77,7 @@ protected:
 
     SolidSetup setup_;
     Patches patches_;
+    SectionWatch section_watch_;
     std::vector<PatchSum> sums_; ///< by patch
 
 private:

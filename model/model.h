@@ -34,6 +34,7 @@ struct CoordinateSystem {
     Id id = 0;
     Vec3 origin{};
     std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+    std::array<Index, 3> nodes{none, none, none}; ///< origin, on x, in the xy plane: the axes turn with them
     Location where;
 };
 
@@ -90,9 +91,14 @@ struct Model {
     std::vector<PrescribedMotion> prescribed_motions;
     std::vector<NodalLoad> nodal_loads;
     std::vector<BodyLoad> body_loads;
+    std::vector<PressureLoad> pressure_loads;
+    std::vector<NodeDamping> dampings;
+    std::vector<NonReflectingBoundary> non_reflecting_boundaries;
+    std::vector<Termination> terminations;
+    std::vector<CrossSection> cross_sections; ///< at most 64
     std::vector<InitialVelocity> initial_velocities;
     std::vector<RigidBodyVelocity> rigid_body_velocities;
-    std::vector<PlanarWall> planar_walls;
+    std::vector<RigidWall> rigid_walls;
     std::vector<Contact> contacts;
     std::map<Index, PartInertia> part_inertias; ///< by part, where the deck has *PART_INERTIA
     std::map<Index, PartContact> part_contacts; ///< by part, where the deck has *PART_CONTACT

@@ -28,7 +28,7 @@ void put(D3plotFamily& family, const SymmetricTensor<double>& value)
 
 } // namespace
 
-D3plotRecorder::D3plotRecorder(const Model& model, Schedule schedule, const std::string& path,
+D3plotRecorder::D3plotRecorder(const Model& model, Schedule schedule, const ResultPath& path,
                                std::size_t words_per_file)
     : ScheduledRecorder(std::move(schedule)),
       layout_(model),
@@ -84,14 +84,20 @@ void D3plotRecorder::put_globals(const Snapshot& snapshot, const Vec3& velocity)
     }
     for (Index part : layout_.parts) family_.put(parts[part].mass);
     for (Index part : layout_.parts) family_.put(ledger.part_hourglass[part]);
-    for (const PlanarWall& wall : snapshot.model.planar_walls) {
+    for (const RigidWall& wall : snapshot.model.rigid_walls) {
         double force = 0;
         for (const auto& result : results_.walls) {
             if (result.wall == wall.id) force = result.normal;
         }
         family_.put(force);
     }
-    for (const PlanarWall& wall : snapshot.model.planar_walls) put(family_, wall.tail);
+    for (const RigidWall& wall : snapshot.model.rigid_walls) {
+        Vec3 place = wall.tail;
+        for (const auto& result : results_.walls) {
+            if (result.wall == wall.id) place += result.moved;
+        }
+        put(family_, place);
+    }
 }
 
 void D3plotRecorder::put_solids()

@@ -146,7 +146,7 @@ D3plotLayout::D3plotLayout(const Model& model)
     : nodes(sorted_by_id(model.nodes.id)),
       solids(sorted_by_id(model.solids.id)),
       shells(sorted_by_id(model.shells.id)),
-      walls(model.planar_walls.size())
+      walls(model.rigid_walls.size())
 {
     std::vector<Id> part_ids;
     for (const Part& part : model.parts) part_ids.push_back(part.id);

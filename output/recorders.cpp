@@ -1,13 +1,17 @@
 #include "output/recorders.h"
 
+#include "output/binout.h"
 #include "output/bndout.h"
 #include "output/contact_files.h"
 #include "output/d3plot.h"
 #include "output/elout.h"
 #include "output/glstat.h"
+#include "output/history_file.h"
+#include "output/lsda_file.h"
 #include "output/matsum.h"
 #include "output/nodout.h"
 #include "output/rwforc.h"
+#include "output/secforc.h"
 #include "output/spcforc.h"
 #include "output/vtk_series.h"
 
@@ -21,11 +25,11 @@ namespace {
 struct AsciiFile {
     std::string name;
     std::function<bool(const Model&)> wanted;
-    std::function<std::unique_ptr<Recorder>(const Model&, Schedule, const std::string& path)> make;
+    std::function<std::unique_ptr<Recorder>(const Model&, Schedule, const ResultPath& path)> make;
 };
 
 template <class T>
-std::unique_ptr<Recorder> make(const Model& model, Schedule schedule, const std::string& path)
+std::unique_ptr<Recorder> make(const Model& model, Schedule schedule, const ResultPath& path)
 {
     return std::make_unique<T>(model, std::move(schedule), path);
 }
@@ -47,7 +51,7 @@ bool has_history_elements(const Model& model)
 
 bool has_walls(const Model& model)
 {
-    return !model.planar_walls.empty();
+    return !model.rigid_walls.empty();
 }
 
 bool has_supports(const Model& model)
@@ -58,6 +62,11 @@ bool has_supports(const Model& model)
 bool has_loads(const Model& model)
 {
     return !model.nodal_loads.empty() || !model.prescribed_motions.empty();
+}
+
+bool has_sections(const Model& model)
+{
+    return !model.cross_sections.empty();
 }
 
 bool has_contacts(const Model& model)
@@ -76,6 +85,7 @@ const std::vector<AsciiFile>& ascii_files()
         {"rwforc", has_walls, make<RwforcRecorder>},
         {"spcforc", has_supports, make<SpcforcRecorder>},
         {"bndout", has_loads, make<BndoutRecorder>},
+        {"secforc", has_sections, make<SecforcRecorder>},
         {"rcforc", has_contacts, make<RcforcRecorder>},
         {"sleout", has_contacts, make<SleoutRecorder>},
         {"ncforc", has_contacts, make<NcforcRecorder>},
@@ -89,22 +99,40 @@ std::vector<std::unique_ptr<Recorder>> make_recorders(const Model& model, const 
                                                       const RecorderOptions& options)
 {
     std::vector<std::unique_ptr<Recorder>> recorders;
+    const auto path_of = [&](const std::string& name) {
+        return ResultPath(directory + name, options.resume);
+    };
+    std::unique_ptr<BinoutRecorder> binout;
+    auto history = std::make_unique<BinoutRecorder>(std::make_unique<HistoryFile>(path_of("/history.h5")));
     for (const AsciiFile& file : ascii_files()) {
         const auto request = model.controls.output.ascii.find(file.name);
         if (request == model.controls.output.ascii.end()) continue;
         if (!asked_for(request->second) || !file.wanted(model)) continue;
-        recorders.push_back(
-            file.make(model, schedule_of(request->second, model), directory + "/" + file.name));
+        const int binary = request->second.binary;
+        const Schedule schedule = schedule_of(request->second, model);
+        const std::string folder = binout_folder(file.name);
+        auto section = make_binout_section(file.name, model);
+        if (section) history->add(folder, schedule, std::move(section), model);
+        if (binary >= 2) section = make_binout_section(file.name, model);
+        if (section) {
+            if (!binout)
+                binout = std::make_unique<BinoutRecorder>(std::make_unique<LsdaFile>(path_of("/binout0000")));
+            binout->add(folder, schedule, std::move(section), model);
+            if (binary == 2) continue;
+        }
+        recorders.push_back(file.make(model, schedule, path_of("/" + file.name)));
     }
+    if (binout) recorders.push_back(std::move(binout));
+    if (!history->empty()) recorders.push_back(std::move(history));
     const OutputRequest& d3plot = model.controls.output.d3plot;
     if (asked_for(d3plot)) {
         recorders.push_back(
-            std::make_unique<D3plotRecorder>(model, schedule_of(d3plot, model), directory + "/d3plot"));
+            std::make_unique<D3plotRecorder>(model, schedule_of(d3plot, model), path_of("/d3plot")));
     }
     if (options.vtk) {
         const Schedule schedule =
             asked_for(d3plot) ? schedule_of(d3plot, model) : Schedule(model.controls.time.end_time / 20);
-        recorders.push_back(std::make_unique<VtkSeries>(model, schedule, directory));
+        recorders.push_back(std::make_unique<VtkSeries>(model, schedule, path_of("")));
     }
     write_walls(model, directory);
     return recorders;

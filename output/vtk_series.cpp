@@ -139,15 +139,23 @@ void prepare_folder(const std::string& folder)
 
 } // namespace
 
-VtkSeries::VtkSeries(const Model& model, Schedule schedule, std::string directory)
-    : ScheduledRecorder(std::move(schedule)),
-      directory_(std::move(directory)),
-      walls_(!model.planar_walls.empty())
+VtkSeries::VtkSeries(const Model& model, Schedule schedule, const ResultPath& directory)
+    : ScheduledRecorder(std::move(schedule)), directory_(directory.path), walls_(!model.rigid_walls.empty())
 {
     for (const auto& nodes : model.shells.nodes) cells_.push_back(shell_cell(nodes));
     for (const auto& nodes : model.solids.nodes) cells_.push_back(solid_cell(nodes));
+    if (directory.resume) {
+        std::filesystem::create_directories(directory_ + "/vtk");
+        return;
+    }
     prepare_folder(directory_ + "/vtk");
     write_index();
+}
+
+void VtkSeries::serialise_files(Archive& archive)
+{
+    archive(files_);
+    if (archive.loading()) write_index();
 }
 
 void VtkSeries::write_state(const Snapshot& snapshot)
@@ -179,7 +187,7 @@ void VtkSeries::write_index() const
 
 void write_walls(const Model& model, const std::string& directory)
 {
-    if (model.planar_walls.empty()) return;
+    if (model.rigid_walls.empty()) return;
     Vec3 low{}, high{};
     if (!model.nodes.position.empty()) low = high = model.nodes.position[0];
     for (const Vec3& x : model.nodes.position) {
@@ -191,7 +199,7 @@ void write_walls(const Model& model, const std::string& directory)
 
     VtuFile file;
     std::vector<std::int64_t> ids;
-    for (const PlanarWall& wall : model.planar_walls) {
+    for (const RigidWall& wall : model.rigid_walls) {
         const Vec3 foot = center - dot(center - wall.tail, wall.normal) * wall.normal;
         const Vec3 helper = std::abs(wall.normal.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
         const Vec3 a = half_side * unit(cross(wall.normal, helper));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "output/cell_shape.h"
+#include "output/result_file.h"
 #include "output/schedule.h"
 
 #include <string>
@@ -19,8 +20,10 @@ namespace plash {
 /// von_mises and plastic_strain (the largest of a shell's layers), thickness (solids: 0).
 class VtkSeries final : public ScheduledRecorder {
 public:
-    VtkSeries(const Model&, Schedule, std::string directory);
+    /// With `resume` (path: the directory) the states of an earlier run stay.
+    VtkSeries(const Model&, Schedule, const ResultPath& directory);
 
+    void write_on_request(const Snapshot& snapshot) override { write(snapshot); }
     void finish(const Snapshot& snapshot) override { write(snapshot); }
 
 private:
@@ -30,6 +33,7 @@ private:
     bool walls_;
 
     void write_state(const Snapshot&) override;
+    void serialise_files(Archive&) override;
     void write_index() const;
 };
 

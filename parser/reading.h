@@ -110,6 +110,8 @@ std::span<const Translator> geometry_keywords();
 std::span<const Translator> set_keywords();
 std::span<const Translator> boundary_keywords();
 std::span<const Translator> load_keywords();
+std::span<const Translator> damping_keywords();
+std::span<const Translator> termination_keywords();
 std::span<const Translator> initial_keywords();
 std::span<const Translator> rigid_wall_keywords();
 std::span<const Translator> contact_keywords();

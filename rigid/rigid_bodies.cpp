@@ -102,6 +102,14 @@ void RigidBodies::report(EnergyLedger& ledger) const
     for (const Drive& drive : drives_) ledger.external_work += drive.work.done;
 }
 
+void RigidBodies::serialise(Archive& archive)
+{
+    for (RigidBody& body : bodies_) {
+        archive(body.center, body.orientation, body.velocity, body.angular_momentum, body.angular_velocity);
+    }
+    for (Drive& drive : drives_) archive(drive.travelled, drive.work);
+}
+
 void RigidBodies::collect(const State&, ElementResults& results) const
 {
     for (const Drive& drive : drives_) {

@@ -20,6 +20,7 @@ public:
     void constrain(const Clock& clock, State& state) override;
     void report(EnergyLedger& ledger) const override;
     void collect(const State& state, ElementResults& results) const override;
+    void serialise(Archive& archive) override;
 
     const std::vector<RigidBody>& bodies() const { return bodies_; }
 

@@ -1,11 +1,15 @@
 #include "solver/scene.h"
 
+#include "conditions/body_loads.h"
+#include "conditions/damping.h"
 #include "conditions/fixities.h"
 #include "conditions/initial_velocity.h"
 #include "conditions/loads.h"
+#include "conditions/non_reflecting.h"
 #include "conditions/prescribed_motion.h"
+#include "conditions/pressure_loads.h"
 #include "contact/contacts.h"
-#include "contact/planar_wall.h"
+#include "contact/rigid_wall.h"
 #include "elements/shell_groups.h"
 #include "elements/solid_groups.h"
 #include "rigid/rigid_bodies.h"
@@ -25,9 +29,13 @@ void add_conditions(Scene& scene)
     const Model& model = scene.model;
     State& state = scene.state;
     if (!model.nodal_loads.empty()) scene.terms.push_back(std::make_unique<NodalLoads>(model));
+    if (!model.pressure_loads.empty()) scene.terms.push_back(std::make_unique<PressureLoads>(model));
     if (!model.body_loads.empty()) scene.terms.push_back(std::make_unique<BodyLoads>(model, state));
-    for (const PlanarWall& wall : model.planar_walls) {
-        scene.terms.push_back(std::make_unique<PlanarWallTerm>(wall, model, state));
+    if (!model.dampings.empty()) scene.terms.push_back(std::make_unique<Damping>(model, state));
+    if (!model.non_reflecting_boundaries.empty())
+        scene.terms.push_back(std::make_unique<NonReflecting>(model, state));
+    for (const RigidWall& wall : model.rigid_walls) {
+        scene.terms.push_back(std::make_unique<RigidWallTerm>(wall, model, state));
     }
     auto motions = std::make_unique<PrescribedMotions>(model, state);
     motions->start(state);
@@ -45,15 +53,31 @@ void scale_masses(Scene& scene)
     if (wanted == 0) return;
     const double mass = std::accumulate(scene.state.mass.begin(), scene.state.mass.end(), 0.0);
     double added = 0;
-    for (auto& term : scene.terms) added += term->scale_mass(std::abs(wanted), wanted < 0, scene.state);
-    scene.added_mass_ratio = mass > 0 ? added / mass : 0;
+    for (auto& term : scene.terms) {
+        const double more = term->scale_mass(std::abs(wanted), wanted < 0, scene.state);
+        if (more != 0) scene.masses.added.emplace_back(term->name(), more);
+        added += more;
+    }
+    scene.added_mass_ratio = scene.masses.added_ratio = mass > 0 ? added / mass : 0;
+}
+
+/// Mass and centre of mass of all nodes, before rigid bodies take the masses of theirs.
+void weigh(Scene& scene)
+{
+    MassSummary& masses = scene.masses;
+    Vec3 first_moment{};
+    for (std::size_t node = 0; node < scene.state.size(); ++node) {
+        masses.mass += scene.state.mass[node];
+        first_moment += scene.state.mass[node] * scene.state.position[node];
+    }
+    if (masses.mass > 0) masses.center = (1 / masses.mass) * first_moment;
 }
 
 } // namespace
 
 Scene make_scene(const Model& model)
 {
-    Scene scene{model, {}, {}, {}, 0};
+    Scene scene{model, {}, {}, {}, 0, {}};
     State& state = scene.state;
     state.position = model.nodes.position;
     state.velocity.resize(state.size());
@@ -67,6 +91,7 @@ Scene make_scene(const Model& model)
     for (std::size_t i = 0; i < model.masses.size(); ++i)
         state.mass[model.masses.node[i]] += model.masses.mass[i];
     scale_masses(scene);
+    weigh(scene);
     apply_initial_velocities(model, state);
     add_conditions(scene);
     std::vector<RigidBody> bodies = make_rigid_bodies(model, state);

@@ -41,6 +41,7 @@ public:
     void find(double range, std::vector<Vec3>& position);
 
     std::size_t size() const { return images_.size(); }
+    void serialise(Archive& archive) { archive(transforms_, images_, place_, source_place_); }
 
     /// After sorting: finds where images and their sources stand, and gives images the part of their source.
     void settle(ParticleArrays& arrays);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/archive.h"
 #include "math/symmetric_tensor.h"
 #include "math/tensor3.h"
 #include "math/vector3.h"
@@ -40,6 +41,13 @@ struct ParticleArrays {
     std::vector<double> build_smoothing;
 
     Index size() const { return static_cast<Index>(motion.size()); }
+
+    void serialise(Archive& archive)
+    {
+        archive(motion, push, particle, node, part, image, mass, density, rate, pressure, energy,
+                viscous_force, heat, tension, gradient, correction, stress, history, build_position,
+                build_smoothing);
+    }
 };
 
 } // namespace plash

@@ -56,6 +56,7 @@ public:
     void after_motion(const Clock& clock, State& state) override;
     StepVote stable_step() const override;
     void report(EnergyLedger& ledger) const override;
+    void serialise(Archive& archive) override { archive(arrays_, images_, runs_, places_, skin_, searches_); }
 
     const ParticleArrays& arrays() const { return arrays_; }
     const std::vector<NeighbourRun>& runs() const { return runs_; }

@@ -54,6 +54,10 @@ void read_system_of_nodes(const Record& record, const Block&, Reading& reading)
     const Vec3 origin = node_position(record, "N1", reading);
     keep_system(record, origin, node_position(record, "N2", reading) - origin,
                 node_position(record, "N3", reading) - origin, reading);
+    if (record.integer("FLAG") != 1) return;
+    reading.model.coordinate_systems.back().nodes = {reading.find(record, "N1", Kind::node),
+                                                     reading.find(record, "N2", Kind::node),
+                                                     reading.find(record, "N3", Kind::node)};
 }
 
 void read_vector(const Record& record, const Block& block, Reading& reading)

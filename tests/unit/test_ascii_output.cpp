@@ -155,8 +155,8 @@ TEST(AsciiOutput, RwforcShowsEveryWall)
 {
     SnapshotFixture fixture = two_parts();
     fixture.start();
-    fixture.model.planar_walls.resize(1);
-    fixture.model.planar_walls[0].id = 3;
+    fixture.model.rigid_walls.resize(1);
+    fixture.model.rigid_walls[0].id = 3;
     fixture.clock.time = 0.5;
     fixture.add_results().fill = [](const State&, ElementResults& results) {
         results.walls.push_back({3, 7, {0, 0, -7}, 0});
