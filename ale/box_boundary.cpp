@@ -16,6 +16,7 @@ OutsideWork apply_outside(BoxFields& fields, std::span<const NodeForceFromOutsid
             const double gain = outside.force[axis] * impulse_step / fields.node_mass[node];
             fields.velocity[axis][node] += gain;
             fields.mean_velocity[axis][node] += 0.5 * gain;
+            work.gravity += fields.node_mass[node] * gravity[axis] * step * 0.5 * gain;
         }
     }
     for (const HeldNode& node : held) {
@@ -55,6 +56,48 @@ void hold_nodes(BoxFields& fields, std::span<const HeldNode> held)
             velocity = after;
         }
     }
+}
+
+namespace {
+
+/// Calls visit(storage place, side, axis) for each face between an outermost cell (or its edge neighbours,
+/// when `rim` is 1) and the ghost beyond; side 0 is the lower one, and the place is that of the ghost.
+template <class Visit>
+void for_ghosts(const BoxGrid& grid, int rim, Visit&& visit)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+        int index[3];
+        for (int side = 0; side < 2; ++side) {
+            index[axis] = side == 0 ? -1 : grid.cells(axis);
+            for (index[b] = -rim; index[b] < grid.cells(b) + rim; ++index[b])
+                for (index[a] = -rim; index[a] < grid.cells(a) + rim; ++index[a])
+                    visit(grid.at(index[0], index[1], index[2]), side, axis);
+        }
+    }
+}
+
+} // namespace
+
+void press_on_sides(const BoxGrid& grid, BoxFields& fields, double pressure)
+{
+    for_ghosts(grid, 1, [&](std::ptrdiff_t ghost, int, int) {
+        fields.pressure[ghost] = pressure;
+        fields.pressure_rate[ghost] = 0;
+    });
+}
+
+double work_on_sides(const BoxGrid& grid, const BoxFields& fields, const BoxContents& contents,
+                     double pressure)
+{
+    double inward = 0;
+    for_ghosts(grid, 0, [&](std::ptrdiff_t ghost, int side, int axis) {
+        // The face below a cell carries the cell's place.
+        const std::ptrdiff_t face = side == 0 ? ghost + grid.stride(axis) : ghost;
+        if (BoxContents::nothing(contents.near_nodes(face))) return;
+        inward += side == 0 ? fields.volume_flux[axis][face] : -fields.volume_flux[axis][face];
+    });
+    return pressure * inward;
 }
 
 std::vector<HeldNode> walls_of_box(const BoxGrid& grid, unsigned sides)

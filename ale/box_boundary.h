@@ -24,7 +24,7 @@ struct NodeForceFromOutside {
 struct OutsideWork {
     double forces = 0;  ///< by outside forces
     double driving = 0; ///< by driven nodes
-    double gravity = 0; ///< correction where held nodes do not follow gravity
+    double gravity = 0; ///< correction where nodes do not follow gravity alone
 };
 
 /// Adds outside forces to the velocities that accelerate() has found, then gives held nodes theirs. Impulses
@@ -34,6 +34,11 @@ OutsideWork apply_outside(BoxFields&, std::span<const NodeForceFromOutside>, std
 
 /// Velocities of held nodes after the remap; the kinetic energy that this takes counts as lost in the remap.
 void hold_nodes(BoxFields&, std::span<const HeldNode>);
+
+/// A pressure beyond the outer faces of the box: into the ghosts, for the forces of the coming step.
+void press_on_sides(const BoxGrid&, BoxFields&, double pressure);
+/// Its work in the step, once the volumes that pass the faces are known [energy].
+double work_on_sides(const BoxGrid&, const BoxFields&, const BoxContents&, double pressure);
 
 /// Nodes of the box's sides, held against flow through them (slip walls); bit 2 axis + side of `sides` names
 /// a side.

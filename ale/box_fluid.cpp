@@ -29,18 +29,34 @@ void BoxFluid::start()
 {
     contents.update(grid, fields);
     hold_nodes(fields, held);
-    limit_ = evaluate_state(grid, fields, contents, groups, lagrange, 0);
+    evaluate(0);
     find_node_masses(grid, fields, contents);
     sum_energies();
+}
+
+void BoxFluid::evaluate(double last_step)
+{
+    limit_ = evaluate_state(grid, fields, contents, groups, lagrange, last_step);
+    if (outside_pressure != 0) press_on_sides(grid, fields, outside_pressure);
 }
 
 void BoxFluid::sum_energies()
 {
     energies_.kinetic = kinetic_energy(grid, fields, contents);
     energies_.internal = 0;
+    energies_.group_internal.resize(groups.size());
     for (int group = 0; group < static_cast<int>(groups.size()); ++group) {
-        energies_.internal += internal_energy(grid, fields, contents, group);
+        energies_.group_internal[group] = internal_energy(grid, fields, contents, group);
+        energies_.internal += energies_.group_internal[group];
     }
+}
+
+double BoxFluid::sum_internal() const
+{
+    double sum = 0;
+    for (int group = 0; group < static_cast<int>(groups.size()); ++group)
+        sum += internal_energy(grid, fields, contents, group);
+    return sum;
 }
 
 void BoxFluid::remap()
@@ -48,6 +64,7 @@ void BoxFluid::remap()
     // The order of the axes goes round so that none is favoured, forth and back for second order (Strang
     // 1968).
     static constexpr int orders[6][3] = {{0, 1, 2}, {2, 1, 0}, {1, 2, 0}, {0, 2, 1}, {2, 0, 1}, {1, 0, 2}};
+    const double before = open_sides ? sum_internal() : 0;
     for (const int axis : orders[steps_ % 6]) {
         find_outflow_shares(grid, fields, contents, axis);
         sweep_cells(grid, fields, contents, scratch_, axis, order);
@@ -55,6 +72,7 @@ void BoxFluid::remap()
         contents.update(grid, fields);
     }
     hold_nodes(fields, held);
+    if (open_sides) energies_.outflow += before - sum_internal();
     if (!fields.lost_motion.empty()) energies_.advection_loss -= return_lost_motion(grid, fields, contents);
 }
 
@@ -67,12 +85,15 @@ void BoxFluid::advance(double step, double impulse_step)
 {
     const double gravity_work = accelerate(grid, fields, contents, step, gravity);
     const OutsideWork outside = apply_outside(fields, outside_forces, held, step, impulse_step, gravity);
-    energies_.outside_work += gravity_work + outside.gravity + outside.forces + outside.driving;
-    deform(grid, fields, contents, step);
+    energies_.outside_work += gravity_work + outside.gravity + outside.driving;
+    energies_.coupling_work += outside.forces;
+    deform(grid, fields, contents, step, lagrange.mesh_velocity);
+    if (outside_pressure != 0)
+        energies_.outside_work += work_on_sides(grid, fields, contents, outside_pressure);
     const double before = kinetic_energy(grid, fields, contents);
     remap();
     ++steps_;
-    limit_ = evaluate_state(grid, fields, contents, groups, lagrange, step);
+    evaluate(step);
     sum_energies();
     energies_.advection_loss += before - energies_.kinetic;
 }

@@ -12,8 +12,11 @@ namespace plash {
 struct FluidEnergies {
     double kinetic = 0;
     double internal = 0;
-    double outside_work = 0;   ///< by gravity, outside forces and driven nodes
+    double outside_work = 0;   ///< by gravity, outside pressure and driven nodes
+    double coupling_work = 0;  ///< by outside forces
     double advection_loss = 0; ///< kinetic energy that the remap has taken
+    double outflow = 0;        ///< internal energy that has left through open sides; only with open_sides
+    std::vector<double> group_internal; ///< internal energy by group
 };
 
 /// An Eulerian fluid on one box: state, step and energies. All times t_n; see ale/lagrange.h and ale/remap.h
@@ -25,6 +28,8 @@ public:
     LagrangeSettings lagrange;
     AdvectionOrder order = AdvectionOrder::van_leer;
     std::array<double, 3> gravity{}; ///< [acceleration]
+    bool open_sides = false;         ///< fluid may cross the outer faces
+    double outside_pressure = 0;     ///< on the outer faces [pressure]
     BoxFields fields;
     BoxContents contents;
     std::vector<HeldNode> held;
@@ -58,7 +63,9 @@ private:
     long steps_ = 0;
 
     void remap();
+    void evaluate(double last_step);
     void sum_energies();
+    double sum_internal() const;
 };
 
 } // namespace plash

@@ -43,6 +43,12 @@ public:
         return node_weight_[axis][upper].data() + lane_count;
     }
 
+    /// Moves all planes across an axis; widths stay as they are.
+    void shift(int axis, double distance)
+    {
+        for (double& plane : planes_[axis]) plane += distance;
+    }
+
     /// Distance in memory between neighbours along an axis.
     std::ptrdiff_t stride(int axis) const { return stride_[axis]; }
     /// Where cell or node (i, j, k) lies; ghosts have indices -2, -1 and cells(axis), cells(axis) + 1.

@@ -198,8 +198,8 @@ void deform_batch(BoxFields& fields, std::ptrdiff_t place, BoxContents::Mask mas
     }
 }
 
-void deform_row(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, double step, int j,
-                int k)
+void deform_row(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, double step,
+                const std::array<double, 3>& mesh, int j, int k)
 {
     const std::ptrdiff_t sy = grid.stride(1), sz = grid.stride(2);
     const double quarter = 0.25 * step;
@@ -217,9 +217,10 @@ void deform_row(const BoxGrid& grid, BoxFields& fields, const BoxContents& conte
                               &fields.mean_velocity[2][place]};
         const Lanes low_x = lower_flux(u[0], sy, sz, broadcast<Lanes>(area_x));
         const Lanes low_y = lower_flux(u[1], 1, sz, area_y), low_z = lower_flux(u[2], 1, sy, area_z);
-        store(&fields.volume_flux[0][place], low_x);
-        store(&fields.volume_flux[1][place], low_y);
-        store(&fields.volume_flux[2][place], low_z);
+        // Each of the four nodes of a face is seen from the moving box; growth does not depend on it.
+        store(&fields.volume_flux[0][place], low_x - 4 * mesh[0] * area_x);
+        store(&fields.volume_flux[1][place], low_y - 4 * mesh[1] * area_y);
+        store(&fields.volume_flux[2][place], low_z - 4 * mesh[2] * area_z);
         if (!cells) continue;
         const Lanes high_x = lower_flux(u[0] + 1, sy, sz, broadcast<Lanes>(area_x));
         const Lanes high_y = lower_flux(u[1] + sy, 1, sz, area_y),
@@ -250,10 +251,11 @@ double accelerate(const BoxGrid& grid, BoxFields& fields, const BoxContents& con
     });
 }
 
-void deform(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, double step)
+void deform(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, double step,
+            const std::array<double, 3>& mesh)
 {
     for_sheets(grid, grid.cells(2) + 1, [&](int k) {
-        for (int j = 0; j <= grid.cells(1); ++j) deform_row(grid, fields, contents, step, j, k);
+        for (int j = 0; j <= grid.cells(1); ++j) deform_row(grid, fields, contents, step, mesh, j, k);
     });
 }
 

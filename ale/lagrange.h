@@ -13,10 +13,11 @@
 namespace plash {
 
 struct LagrangeSettings {
-    double quadratic_viscosity = 1.5; ///< Q1 of *CONTROL_BULK_VISCOSITY
-    double linear_viscosity = 0.06;   ///< Q2
-    bool void_allowed = false;        ///< cells may be partly or wholly empty
-    bool viscous = false;             ///< some group has a viscosity
+    double quadratic_viscosity = 1.5;      ///< Q1 of *CONTROL_BULK_VISCOSITY
+    double linear_viscosity = 0.06;        ///< Q2
+    std::array<double, 3> mesh_velocity{}; ///< of the box itself in this and the coming step [velocity]
+    bool void_allowed = false;             ///< cells may be partly or wholly empty
+    bool viscous = false;                  ///< some group has a viscosity
 };
 
 /// What limits the step: the largest rate at which a signal or the flow crosses a cell.
@@ -37,7 +38,9 @@ double accelerate(const BoxGrid&, BoxFields&, const BoxContents&, double step,
                   const std::array<double, 3>& gravity);
 
 /// Volumes that pass the faces with the mean velocity, and what that does to internal energies and fractions.
-void deform(const BoxGrid&, BoxFields&, const BoxContents&, double step);
+/// mesh  velocity of the box itself: what passes a face is seen from there
+void deform(const BoxGrid&, BoxFields&, const BoxContents&, double step,
+            const std::array<double, 3>& mesh = {});
 
 /// Kinetic energy of the nodes with the masses of `node_mass`.
 double kinetic_energy(const BoxGrid&, const BoxFields&, const BoxContents&);

@@ -198,9 +198,12 @@ LaneRates evaluate_row(const Row& row, const BoxContents& contents, double last_
         const Lanes q = resists ? viscous_speed : zero;
         const Lanes signal = q + sqrt(q * q + state.signal_square);
         const Lanes shortest = min(width, broadcast<Lanes>(smallest_yz));
+        const auto fastest = [&](const FaceMeans<Lanes>& sums, int axis) {
+            const double mesh = 4 * settings.mesh_velocity[axis]; // faces sum four nodes
+            return max(abs(sums.low - mesh), abs(sums.high - mesh));
+        };
         const Lanes crossing =
-            max(max(max(abs(x.low), abs(x.high)) * inverse_x, max(abs(y.low), abs(y.high)) * inverse_y),
-                max(abs(z.low), abs(z.high)) * inverse_z);
+            max(max(fastest(x, 0) * inverse_x, fastest(y, 1) * inverse_y), fastest(z, 2) * inverse_z);
         Lanes rate = signal / shortest + crossing;
         if (Viscous) {
             const Lanes diffusion =

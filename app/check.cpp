@@ -62,6 +62,9 @@ nlohmann::ordered_json to_json(const ReadResult& result, const CheckOptions& opt
     json["fields"] = {{"honoured", report.fields.honoured},
                       {"ignored", report.fields.ignored},
                       {"unsupported", report.fields.unsupported}};
+    json["unused"] = nlohmann::ordered_json::array();
+    for (const Unused& unused : report.unused)
+        json["unused"].push_back({{"what", unused.what}, {"count", unused.count}, {"first", unused.first}});
     json["ignored"] = nlohmann::ordered_json::array();
     for (const IgnoredField& field : report.ignored)
         json["ignored"].push_back({{"file", model.files[field.where.file]},
@@ -78,19 +81,53 @@ nlohmann::ordered_json to_json(const ReadResult& result, const CheckOptions& opt
     return json;
 }
 
+/// "90 shells, 4 beams, ": the kinds of elements that the deck has.
+std::string elements_of(const Report& report)
+{
+    std::string text;
+    const auto add = [&](long count, std::string_view what) {
+        if (count > 0) text += fmt::format("{} {}, ", count, what);
+    };
+    add(report.elements.shell, "shells");
+    add(report.elements.tshell, "thick shells");
+    add(report.elements.solid, "solids");
+    add(report.elements.beam, "beams");
+    add(report.elements.discrete, "discrete elements");
+    add(report.elements.mass, "masses");
+    add(report.elements.sph, "particles");
+    return text;
+}
+
+/// What stands in the way of a run, in words.
+std::string obstacles(const Report& report, const std::vector<Message>& unsupported)
+{
+    const auto counted = [](std::size_t count, std::string_view what) {
+        return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    };
+    std::string text;
+    if (!report.errors.empty()) text = counted(report.errors.size(), "error") + " listed above";
+    if (!unsupported.empty())
+        text += (text.empty() ? "" : ", and ") + counted(unsupported.size(), "keyword") +
+                " that Plash does not run yet";
+    return text;
+}
+
 void print_text(const ReadResult& result, const CheckOptions& options,
                 const std::vector<Message>& unsupported)
 {
     const Model& model = result.model;
     const Report& report = result.report;
-    fmt::print("{}: {} nodes, {} shells, {} solids, {} parts\n", options.deck, model.nodes.size(),
-               model.shells.size(), model.solids.size(), model.parts.size());
+    fmt::print("{}: {} nodes, {}{} parts\n", options.deck, model.nodes.size(), elements_of(report),
+               model.parts.size());
     if (!model.title.empty()) fmt::print("  {}\n", model.title);
 
     fmt::print("\nkeywords\n");
     for (const auto& [name, use] : report.keywords)
         fmt::print("  {:11} {:5}  *{}{}\n", to_string(use.status), use.blocks, name,
                    use.reason.empty() ? "" : " (" + use.reason + ")");
+    if (!report.unused.empty()) fmt::print("\ndefined, but used by nothing\n");
+    for (const Unused& unused : report.unused)
+        fmt::print("  {:11}  {}, the first is {}\n", unused.count, unused.what, unused.first);
     if (!report.ignored.empty()) fmt::print("\nignored fields\n");
     for (const IgnoredField& field : report.ignored)
         fmt::print("  {}: *{}, field {} = {}: {}\n", model.place(field.where), field.keyword, field.field,
@@ -110,8 +147,7 @@ void print_text(const ReadResult& result, const CheckOptions& options,
                    report.ignored.size() == 1 ? "" : "s");
         break;
     case Verdict::refused:
-        fmt::print("\nThe deck will not run: {} error{}.\n", report.errors.size() + unsupported.size(),
-                   report.errors.size() + unsupported.size() == 1 ? "" : "s");
+        fmt::print("\nThe deck will not run: {}.\n", obstacles(report, unsupported));
         break;
     }
 }

@@ -82,7 +82,60 @@ void print_fields(const KeywordLayout& layout)
     for (const auto& [name, why] : layout.ignored_fields) fmt::print("  {} is ignored: {}\n", name, why);
 }
 
-int list_keywords(const std::string& name, bool json)
+/// Names of the fields that are honoured, or of the others, each once.
+std::string field_names(const KeywordLayout& layout, bool honoured)
+{
+    std::string text;
+    std::vector<std::string_view> seen;
+    for_each_field(layout.cards, [&](const CardLayout&, const FieldLayout& field) {
+        if (layout.honours(field.name) != honoured) return;
+        if (std::find(seen.begin(), seen.end(), field.name) != seen.end()) return;
+        seen.push_back(field.name);
+        text += (text.empty() ? "" : " ") + field.name;
+    });
+    return text;
+}
+
+/// A cell of a table: `|` would end it.
+std::string cell(std::string text)
+{
+    for (auto at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
+        text.insert(at, 1, '\\');
+    return text;
+}
+
+/// The page docs/keywords.md.
+void print_page(const std::vector<const KeywordLayout*>& layouts)
+{
+    const auto of = [&](Treatment treatment) {
+        std::vector<const KeywordLayout*> chosen;
+        std::copy_if(layouts.begin(), layouts.end(), std::back_inserter(chosen),
+                     [&](const KeywordLayout* layout) { return layout->treatment == treatment; });
+        return chosen;
+    };
+    const auto run = of(Treatment::run), ignored = of(Treatment::ignored), read = of(Treatment::read);
+    fmt::print("# Keywords\n\n"
+               "Written by `./plash keywords --markdown > docs/keywords.md` from the card layouts "
+               "(layouts.md); a test "
+               "says when it is not up to date.\n`plash keywords NAME` shows every field of a keyword with "
+               "its type and "
+               "default.\n\n{} keywords run, {} are ignored without harm, {} are read only: checked and in "
+               "the Model, "
+               "but a deck that holds one is refused.\n",
+               run.size(), ignored.size(), read.size());
+    fmt::print("\n## Run\n\nA field that is not honoured is listed by `plash check` where a deck sets it.\n\n"
+               "| keyword | honoured | not honoured |\n|---|---|---|\n");
+    for (const KeywordLayout* layout : run)
+        fmt::print("| {} | {} | {} |\n", layout->name, cell(field_names(*layout, true)),
+                   cell(field_names(*layout, false)));
+    fmt::print("\n## Ignored without harm\n\n| keyword | why |\n|---|---|\n");
+    for (const KeywordLayout* layout : ignored)
+        fmt::print("| {} | {} |\n", layout->name, cell(layout->reason));
+    fmt::print("\n## Read only\n\n");
+    for (const KeywordLayout* layout : read) fmt::print("- {}\n", layout->name);
+}
+
+int list_keywords(const std::string& name, bool json, bool page)
 {
     const LayoutTable& table = layout_table();
     std::vector<const KeywordLayout*> chosen;
@@ -99,7 +152,9 @@ int list_keywords(const std::string& name, bool json)
     }
     std::sort(chosen.begin(), chosen.end(),
               [](const KeywordLayout* a, const KeywordLayout* b) { return a->name < b->name; });
-    if (json) {
+    if (page) {
+        print_page(chosen);
+    } else if (json) {
         auto list = nlohmann::ordered_json::array();
         for (const KeywordLayout* layout : chosen) list.push_back(to_json(*layout));
         fmt::print("{}\n", list.dump(1));
@@ -119,13 +174,15 @@ void add_keywords(CLI::App& program, int& exit_code)
 {
     struct Options {
         std::string name;
-        bool json = false;
+        bool json = false, page = false;
     };
     auto options = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("keywords", "list what Plash makes of each keyword and field");
     command->add_option("name", options->name, "one keyword in full, or a part of the names to list");
     command->add_flag("--json", options->json, "print as JSON");
-    command->callback([options, &exit_code] { exit_code = list_keywords(options->name, options->json); });
+    command->add_flag("--markdown", options->page, "print the page docs/keywords.md");
+    command->callback(
+        [options, &exit_code] { exit_code = list_keywords(options->name, options->json, options->page); });
 }
 
 } // namespace plash

@@ -59,6 +59,26 @@ void add_plots(ReportPage& page, const History& history)
     add(plot_of("Mean velocity", "Momentum of the model over its mass.", history, {"global"}));
 }
 
+/// Forces of walls and contacts, where the deck asks for rwforc and rcforc.
+void add_forces(ReportPage& page, const fs::path& run)
+{
+    const auto add = [&](const char* title, const char* note, History history) {
+        std::erase_if(history.columns, [](const History::Column& column) {
+            return std::all_of(column.values.begin(), column.values.end(), [](double v) { return v == 0; });
+        });
+        if (history.columns.empty()) return;
+        page.plots.push_back({title, note, std::move(history.time), std::move(history.columns)});
+    };
+    if (fs::exists(run / "rwforc")) {
+        add("Wall forces", "Normal force of the nodes on each rigid wall.",
+            read_rwforc_history(bytes_of(run / "rwforc")));
+    }
+    if (fs::exists(run / "rcforc")) {
+        add("Contact forces", "Size of the resultant on the slave side of each contact.",
+            read_rcforc_history(bytes_of(run / "rcforc")));
+    }
+}
+
 void add_facts(ReportPage& page, const nlohmann::json& summary)
 {
     const auto fact = [&](const char* name, std::string value) {
@@ -121,6 +141,7 @@ int write_report(const std::string& directory, std::string output)
         return 1;
     }
     if (fs::exists(run / "glstat")) add_plots(page, read_glstat_history(bytes_of(run / "glstat")));
+    add_forces(page, run);
     if (fs::exists(run / "picture.png")) page.picture_png = bytes_of(run / "picture.png");
     if (output.empty()) output = (run / "report.html").string();
     std::ofstream(output, std::ios::binary) << to_html(page);

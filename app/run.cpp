@@ -1,10 +1,13 @@
 #include "app/commands.h"
 #include "app/picture.h"
 #include "app/progress.h"
+#include "app/run_log.h"
+#include "core/run_error.h"
 #include "output/recorders.h"
 #include "output/summary.h"
 #include "parser/read_model.h"
 #include "solver/explicit_loop.h"
+#include "solver/restart.h"
 #include "solver/scene.h"
 
 #include <atomic>
@@ -27,6 +30,8 @@ struct RunArguments {
     std::vector<std::string> settings;
     int threads = 0;
     double until = std::numeric_limits<double>::infinity();
+    std::string restart;         ///< restart file, or directory with some
+    double restart_minutes = 15; ///< between restart files that the deck does not ask for
     bool allow_unsupported = false;
     bool picture = false;
     bool vtk = false;
@@ -37,43 +42,44 @@ std::atomic<bool> stop_requested = false;
 void request_stop(int)
 {
     stop_requested = true;
+    std::signal(SIGINT, SIG_DFL); // a second one ends the program at once
 }
 
 /// Prints errors and warnings; false when the deck cannot run.
-bool judge(const ReadResult& read, bool allow_unsupported)
+bool judge(const ReadResult& read, bool allow_unsupported, RunLog& log)
 {
     for (const Message& warning : read.report.warnings) {
-        fmt::print("warning: {}\n", to_text(warning, read.model));
+        log.say("warning: " + to_text(warning, read.model));
     }
-    for (const Message& error : read.report.errors) fmt::print(stderr, "{}\n", to_text(error, read.model));
+    for (const Message& error : read.report.errors) log.warn(to_text(error, read.model));
     const std::vector<Message> unsupported = unsupported_keywords(read.report);
     for (const Message& message : unsupported) {
-        fmt::print(stderr, "{}{}\n", allow_unsupported ? "WARNING, runs without: " : "",
-                   to_text(message, read.model));
+        log.warn((allow_unsupported ? "WARNING, runs without: " : "") + to_text(message, read.model));
     }
     if (!read.ok) {
-        fmt::print(stderr, "the deck has {} error{}; nothing was run\n", read.report.errors.size(),
-                   read.report.errors.size() == 1 ? "" : "s");
+        log.warn(fmt::format("the deck has {} error{}; nothing was run", read.report.errors.size(),
+                             read.report.errors.size() == 1 ? "" : "s"));
         return false;
     }
     if (!unsupported.empty() && !allow_unsupported) {
-        fmt::print(stderr, "the deck asks for physics that Plash does not run; nothing was run "
-                           "(--allow-unsupported runs without it)\n");
+        log.warn(
+            "the deck asks for physics that Plash does not run; nothing was run (--allow-unsupported runs "
+            "without it)");
         return false;
     }
     return true;
 }
 
-void print_ignored(const ReadResult& read)
+void print_ignored(const ReadResult& read, RunLog& log)
 {
     for (const auto& [name, use] : read.report.keywords) {
         if (use.status == KeywordStatus::ignored) {
-            fmt::print("ignored: {}: *{}: {}\n", read.model.place(use.first), name, use.reason);
+            log.say(fmt::format("ignored: {}: *{}: {}", read.model.place(use.first), name, use.reason));
         }
     }
     for (const IgnoredField& field : read.report.ignored) {
-        fmt::print("ignored: {}: *{}, field {} = {}: {}\n", read.model.place(field.where), field.keyword,
-                   field.field, field.value, field.reason);
+        log.say(fmt::format("ignored: {}: *{}, field {} = {}: {}", read.model.place(field.where),
+                            field.keyword, field.field, field.value, field.reason));
     }
 }
 
@@ -118,23 +124,46 @@ RunSummary summarise(const RunArguments& arguments, const Scene& scene, const Ou
     return summary;
 }
 
-void print_end(const RunSummary& summary)
+void print_end(const RunSummary& summary, RunLog& log)
 {
     for (const auto& term : summary.terms) {
         if (term.item_steps == 0 || term.seconds < 0.01 * summary.wall_seconds) continue;
-        fmt::print("  {:<40} {:8.2f} s  {:7.3f} microseconds per item and cycle\n", term.name, term.seconds,
-                   1e6 * term.seconds / static_cast<double>(term.item_steps));
+        log.say(fmt::format("  {:<40} {:8.2f} s  {:7.3f} microseconds per item and cycle", term.name,
+                            term.seconds, 1e6 * term.seconds / static_cast<double>(term.item_steps)));
     }
     const double error = summary.energy.balance_error();
-    fmt::print("{} termination at t = {:.6e} after {} cycles, {:.2f} s; energy balance error {:.3f} %{}\n",
-               summary.termination == RunSummary::Termination::normal ? "Normal" : "Early", summary.time,
-               summary.cycles, summary.wall_seconds, 100 * error,
-               error > 0.02 ? " - THE ENERGY BALANCE IS OFF: do not trust this run" : "");
-    if (!summary.message.empty()) fmt::print(stderr, "{}\n", summary.message);
+    log.say(
+        fmt::format("{} termination at t = {:.6e} after {} cycles, {:.2f} s; energy balance error {:.3f} %{}",
+                    summary.termination == RunSummary::Termination::normal ? "Normal" : "Early", summary.time,
+                    summary.cycles, summary.wall_seconds, 100 * error,
+                    error > 0.02 ? " - THE ENERGY BALANCE IS OFF: do not trust this run" : ""));
+    if (!summary.message.empty()) log.warn(summary.message);
+}
+
+/// Writes d3hsp.
+void summarise_model(const Scene& scene, const std::string& directory)
+{
+    MassSummary masses = scene.masses;
+    ElementResults results;
+    results.steps_wanted = true;
+    results.part_motion.resize(scene.model.parts.size());
+    for (const auto& term : scene.terms) term->collect(scene.state, results);
+    masses.parts = std::move(results.part_motion);
+    write_d3hsp(directory, scene.model, masses, std::move(results.steps));
+}
+
+/// As asked for, or where the restart file lies, or results/DECK.
+std::string results_directory(const RunArguments& arguments, const std::filesystem::path& restart_from)
+{
+    if (!arguments.directory.empty()) return arguments.directory;
+    if (!restart_from.empty())
+        return restart_from.has_parent_path() ? restart_from.parent_path().string() : ".";
+    return (std::filesystem::path("results") / std::filesystem::path(arguments.deck).stem()).string();
 }
 
 int run_deck(const RunArguments& arguments)
 {
+    RunLog log;
     if (arguments.threads > 0) omp_set_num_threads(arguments.threads);
     ReadOptions options;
     for (const std::string& setting : arguments.settings) {
@@ -142,44 +171,52 @@ int run_deck(const RunArguments& arguments)
         options.parameters.emplace_back(setting.substr(0, sign), setting.substr(sign + 1));
     }
     ReadResult read = read_model(arguments.deck, options);
-    if (!judge(read, arguments.allow_unsupported)) return 1;
+    if (!judge(read, arguments.allow_unsupported, log)) return 1;
 
     const Model& model = read.model;
     std::unique_ptr<Scene> scene;
     try {
         scene = std::make_unique<Scene>(make_scene(model));
     } catch (const DeckError& error) {
-        fmt::print(stderr, "{}: {}\n", model.place(error.where), error.what());
+        log.warn(fmt::format("{}: {}", model.place(error.where), error.what()));
         return 1;
     }
     list_unread_fields(model, read.report);
-    print_ignored(read);
+    print_ignored(read, log);
 
-    const std::string directory =
-        arguments.directory.empty()
-            ? (std::filesystem::path("results") / std::filesystem::path(arguments.deck).stem()).string()
-            : arguments.directory;
+    const std::string restart_from = arguments.restart.empty() ? "" : find_restart_file(arguments.restart);
+    const std::string directory = results_directory(arguments, restart_from);
     std::filesystem::create_directories(directory);
-    fmt::print("Plash {}: {}, {} thread{}\n", PLASH_VERSION, arguments.deck, omp_get_max_threads(),
-               omp_get_max_threads() == 1 ? "" : "s");
-    fmt::print("  {} nodes, {} shells, {} solids, {} parts; results in {}\n", model.nodes.size(),
-               model.shells.size(), model.solids.size(), model.parts.size(), directory);
-    if (scene->added_mass_ratio > 0) {
-        fmt::print("  mass scaling adds {:.3f} % of the mass\n", 100 * scene->added_mass_ratio);
+    log.open(directory, !restart_from.empty());
+    log.say(fmt::format("Plash {}: {}, {} thread{}", PLASH_VERSION, arguments.deck, omp_get_max_threads(),
+                        omp_get_max_threads() == 1 ? "" : "s"));
+    log.say(fmt::format("  {} nodes, {} shells, {} solids, {} parts; results in {}", model.nodes.size(),
+                        model.shells.size(), model.solids.size(), model.parts.size(), directory));
+    for (const auto& [name, added] : scene->masses.added) {
+        log.say(fmt::format("  mass scaling adds {:.4g} to {}", added, name));
     }
+    if (scene->added_mass_ratio > 0) {
+        log.say(fmt::format("  mass scaling adds {:.3f} % of the mass", 100 * scene->added_mass_ratio));
+    }
+    if (restart_from.empty()) summarise_model(*scene, directory);
 
     for (const auto& term : scene->terms) {
-        for (const std::string& line : term->notices(scene->state)) fmt::print("  {}\n", line);
+        for (const std::string& line : term->notices(scene->state)) log.say(fmt::format("  {}", line));
     }
 
-    Recorders recorders = make_recorders(model, directory, {.vtk = arguments.vtk});
+    if (const Term* term = not_restartable(*scene))
+        log.say(fmt::format("  no restart files: {} cannot be saved yet", term->name()));
+    Recorders recorders =
+        make_recorders(model, directory, {.vtk = arguments.vtk, .resume = !restart_from.empty()});
     const double end_time = std::min(arguments.until, model.controls.time.end_time);
     recorders.push_back(std::make_unique<Progress>(end_time));
     std::signal(SIGINT, request_stop);
-    const Outcome outcome = run(*scene, recorders, {end_time, &stop_requested});
+    if (!restart_from.empty()) log.say(fmt::format("  goes on from {}", restart_from));
+    const Outcome outcome = run(
+        *scene, recorders, {end_time, &stop_requested, {directory, arguments.restart_minutes}, restart_from});
     const RunSummary summary = summarise(arguments, *scene, outcome);
     write_summary(summary, directory);
-    print_end(summary);
+    print_end(summary, log);
     std::fflush(stdout); // so that what the drawing program says comes behind it
     if (arguments.picture) draw_picture(directory);
     return outcome.termination == Outcome::Termination::normal ? 0 : 3;
@@ -202,11 +239,24 @@ void add_run(CLI::App& program, int& exit_code)
             return text.find('=') == std::string::npos ? "must be NAME=VALUE" : "";
         });
     command->add_option("--until", arguments->until, "Stop at this time if the deck would run longer");
+    command->add_option("--restart", arguments->restart,
+                        "Go on from a restart file (d3dump01, runrsf), or from the last one in a directory");
+    command
+        ->add_option("--restart-every", arguments->restart_minutes,
+                     "Minutes between restart files (runrsf) where the deck asks for none; 0: never")
+        ->capture_default_str();
     command->add_flag("--allow-unsupported", arguments->allow_unsupported,
                       "Run without the keywords that Plash does not support, with a warning for each");
     command->add_flag("--vtk", arguments->vtk, "Also write result.pvd and vtk/ for ParaView");
     command->add_flag("--picture", arguments->picture, "Draw picture.png at the end");
-    command->callback([arguments, &exit_code] { exit_code = run_deck(*arguments); });
+    command->callback([arguments, &exit_code] {
+        try {
+            exit_code = run_deck(*arguments);
+        } catch (const RunError& error) { // before the first cycle: a restart file or a directory is at fault
+            fmt::print(stderr, "{}\n", error.what());
+            exit_code = 1;
+        }
+    });
 }
 
 } // namespace plash

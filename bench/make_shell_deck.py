@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes a square steel tube of Belytschko-Tsay shells (MAT_024) that hits a rigid wall (units: t, mm, s).
+"""Writes a square steel tube of shells (MAT_024) that hits a rigid wall (units: t, mm, s).
 
-    python3 bench/make_shell_deck.py [--cells 80 320] [--points 3] [--time 1e-4] > deck.k
+    python3 bench/make_shell_deck.py [--cells 80 320] [--points 3] [--formulation 2] [--time 1e-4] > deck.k
 
 Four sides of 80 x 320 shells = 102,400 elements; 400 mm long, 100 mm wide, 1.5 mm thick, 10 m/s.
 """
@@ -11,6 +11,7 @@ import sys
 parser = argparse.ArgumentParser()
 parser.add_argument("--cells", type=int, nargs=2, default=(80, 320))
 parser.add_argument("--points", type=int, default=3)
+parser.add_argument("--formulation", type=int, default=2)
 parser.add_argument("--time", type=float, default=5e-5)
 arguments = parser.parse_args()
 across, along = arguments.cells
@@ -39,7 +40,7 @@ Square tube, {around * along} shells with {arguments.points} points
 tube
          1         1         1
 *SECTION_SHELL
-         1         2     0.833{arguments.points:10d}
+         1{arguments.formulation:10d}     0.833{arguments.points:10d}
        1.5       1.5       1.5       1.5
 *MAT_PIECEWISE_LINEAR_PLASTICITY
          1   7.85e-9     2.1e5       0.3     250.0

@@ -1,4 +1,6 @@
-// How fast a deck becomes a Model: read_bench DECK [REPEATS]
+// How fast a deck becomes a Model: read_bench DECK [REPEATS] prints one row of the table in
+// docs/results/reading.md (nodes, solids, MB, seconds, MB/s, ns per node, times wc -l, peak memory in MB,
+// times the mesh arrays).
 
 #include "parser/read_model.h"
 
@@ -49,7 +51,7 @@ int run(const std::string& path, int repeats)
 {
     const std::string count_lines = fmt::format("wc -l '{}' > /dev/null", path);
     double best = 1e30, best_count = 1e30;
-    std::size_t bytes = 0, arrays = 0, nodes = 0;
+    std::size_t bytes = 0, arrays = 0, nodes = 0, solids = 0;
     for (int repeat = 0; repeat < repeats; ++repeat) {
         best_count = std::min(best_count, seconds_of([&] {
                                   if (std::system(count_lines.c_str()) != 0)
@@ -64,15 +66,14 @@ int run(const std::string& path, int repeats)
         bytes = result.bytes;
         arrays = model_bytes(result.model);
         nodes = result.model.nodes.size();
+        solids = result.model.solids.size();
     }
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     const double peak = 1024.0 * static_cast<double>(usage.ru_maxrss);
-    fmt::print("{} nodes, {:.1f} MB: {:.3f} s, {:.0f} MB/s, {:.1f} times wc -l ({:.3f} s); peak memory "
-               "{:.0f} MB, {:.2f} "
-               "times the mesh arrays\n",
-               nodes, bytes / 1e6, best, bytes / 1e6 / best, best / best_count, best_count, peak / 1e6,
-               peak / static_cast<double>(arrays));
+    fmt::print("| {} | {} | {:.1f} | {:.3f} | {:.0f} | {:.0f} | {:.1f} | {:.0f} | {:.2f} |\n", nodes, solids,
+               bytes / 1e6, best, bytes / 1e6 / best, 1e9 * best / static_cast<double>(nodes),
+               best / best_count, peak / 1e6, peak / static_cast<double>(arrays));
     return 0;
 }
 

@@ -22,7 +22,8 @@ double now(int threads)
     return (static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec)) / threads;
 }
 
-double microseconds_per_element(const Record& material, int hourglass_type, int cells, int cycles, int threads)
+double microseconds_per_element(const Record& material, int hourglass_type, int cells, int cycles,
+                                int threads)
 {
     omp_set_num_threads(threads);
     SolidBlock block({cells, cells, cells}, {1, 1, 1}, material);
@@ -55,8 +56,9 @@ int main(int argc, char** argv)
     const int cycles = argc > 2 ? std::atoi(argv[2]) : 20;
     const Record elastic = record_of("MAT_ELASTIC", 1, {{"RO", 8930}, {"E", 117e9}, {"PR", 0.35}});
     const auto plastic = [](double beta) {
-        return record_of("MAT_PLASTIC_KINEMATIC", 1,
-                         {{"RO", 8930}, {"E", 117e9}, {"PR", 0.35}, {"SIGY", 4e8}, {"ETAN", 1e8}, {"BETA", beta}});
+        return record_of(
+            "MAT_PLASTIC_KINEMATIC", 1,
+            {{"RO", 8930}, {"E", 117e9}, {"PR", 0.35}, {"SIGY", 4e8}, {"ETAN", 1e8}, {"BETA", beta}});
     };
     std::printf("%d elements, microseconds per element-cycle of add_forces\n", cells * cells * cells);
     std::printf("%-28s %4s %10s %10s\n", "law", "IHQ", "1 thread", "2 threads");

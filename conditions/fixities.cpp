@@ -1,50 +1,89 @@
 #include "conditions/fixities.h"
 
+#include "core/local_axes.h"
+
 namespace plash {
 
 namespace {
 
-constexpr double Vec3::*axes[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
+constexpr double Vec3::*components[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
 /// Replaces the held components of `force` by what stops `velocity` within `velocity_step`; returns the
-/// reaction and adds the kinetic energy that is stopped.
-Vec3 hold(Vec3& force, const Vec3& velocity, double mass, FreedomMask freedoms, double velocity_step,
-          double& stopped_energy)
+/// reaction and adds the kinetic energy that is stopped. `axes`: null for the global ones.
+Vec3 hold(Vec3& force, const Vec3& velocity, double mass, FreedomMask freedoms,
+          const std::array<Vec3, 3>* axes, double velocity_step, double& stopped_energy)
 {
     Vec3 reaction{};
+    if (mass == 0) return reaction; // a node of a rigid body: the body holds it
     for (int axis = 0; axis < 3; ++axis) {
         if (!(freedoms >> axis & 1)) continue;
-        const double v = velocity.*axes[axis];
+        const double v = axes ? dot(velocity, (*axes)[axis]) : velocity.*components[axis];
         const double needed = v == 0 ? 0 : -mass * v / velocity_step;
-        reaction.*axes[axis] = needed - force.*axes[axis];
-        force.*axes[axis] = needed;
         stopped_energy += 0.5 * mass * v * v;
+        if (axes) {
+            const Vec3 added = (needed - dot(force, (*axes)[axis])) * (*axes)[axis];
+            reaction += added;
+            force += added;
+        } else {
+            reaction.*components[axis] = needed - force.*components[axis];
+            force.*components[axis] = needed;
+        }
     }
     return reaction;
 }
 
+void stop(Vec3& velocity, FreedomMask freedoms, const std::array<Vec3, 3>* axes)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(freedoms >> axis & 1)) continue;
+        if (axes) {
+            velocity -= dot(velocity, (*axes)[axis]) * (*axes)[axis];
+        } else {
+            velocity.*components[axis] = 0;
+        }
+    }
+}
+
 } // namespace
 
-Fixities::Fixities(const Model& model)
+Fixities::Fixities(const Model& model) : model_(model)
 {
     for (const FixedNodes& fixed : model.fixed_nodes) {
-        for (Index node : fixed.nodes) held_.push_back({node, fixed.freedoms, fixed.birth, fixed.death});
+        Index axes = none;
+        if (fixed.system != none || fixed.local) {
+            axes = static_cast<Index>(axes_.size());
+            const bool moves =
+                fixed.system != none && model.coordinate_systems[fixed.system].nodes[0] != none;
+            axes_.push_back(fixed.system != none ? model.coordinate_systems[fixed.system].axes : fixed.axes);
+            axes_system_.push_back(moves ? fixed.system : none);
+        }
+        for (Index node : fixed.nodes)
+            held_.push_back({node, fixed.freedoms, axes, fixed.birth, fixed.death});
     }
     reaction_.resize(held_.size());
 }
 
+void Fixities::turn_axes(const State& state)
+{
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        if (axes_system_[i] != none) axes_[i] = axes_at(model_.coordinate_systems[axes_system_[i]], state);
+    }
+}
+
 void Fixities::constrain(const Clock& clock, State& state)
 {
+    turn_axes(state);
     for (std::size_t i = 0; i < held_.size(); ++i) {
         const Held& held = held_[i];
         reaction_[i] = {};
         if (clock.time < held.birth || clock.time > held.death) continue;
         const Index node = held.node;
+        const Axes* axes = held.axes == none ? nullptr : &axes_[held.axes];
         reaction_[i].force = hold(state.force[node], state.velocity[node], state.mass[node], held.freedoms,
-                                  clock.velocity_step(), stopped_energy_);
+                                  axes, clock.velocity_step(), stopped_energy_);
         if (!state.rotational()) continue;
         reaction_[i].moment = hold(state.moment[node], state.angular_velocity[node], state.inertia[node],
-                                   held.freedoms >> 3, clock.velocity_step(), stopped_energy_);
+                                   held.freedoms >> 3, axes, clock.velocity_step(), stopped_energy_);
     }
 }
 
@@ -61,16 +100,14 @@ void Fixities::collect(const State&, ElementResults& results) const
     }
 }
 
-void Fixities::stop_at_start(State& state) const
+void Fixities::stop_at_start(State& state)
 {
+    turn_axes(state);
     for (const Held& held : held_) {
         if (held.birth > 0) continue;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (held.freedoms >> axis & 1) state.velocity[held.node].*axes[axis] = 0;
-            if (state.rotational() && (held.freedoms >> (axis + 3) & 1)) {
-                state.angular_velocity[held.node].*axes[axis] = 0;
-            }
-        }
+        const Axes* axes = held.axes == none ? nullptr : &axes_[held.axes];
+        stop(state.velocity[held.node], held.freedoms, axes);
+        if (state.rotational()) stop(state.angular_velocity[held.node], held.freedoms >> 3, axes);
     }
 }
 

@@ -5,7 +5,9 @@
 
 namespace plash {
 
-/// Forces and moments on nodes that follow curves (*LOAD_NODE_POINT, *LOAD_NODE_SET).
+/// Forces and moments on nodes that follow curves (*LOAD_NODE_POINT, *LOAD_NODE_SET): along fixed directions,
+/// along axes that turn with three nodes (CID with FLAG = 1), or normal to a plane of three nodes that moves
+/// (DOF 4 and 8).
 class NodalLoads : public Term {
 public:
     explicit NodalLoads(const Model& model);
@@ -15,34 +17,15 @@ public:
     void add_forces(const Clock& clock, State& state) override;
     void report(EnergyLedger& ledger) const override;
     void collect(const State& state, ElementResults& results) const override;
+    void serialise(Archive& archive) override { archive(last_, work_); }
 
 private:
     const Model& model_;
-    std::vector<double> last_magnitude_;    ///< of each load at t_(n-1)
+    std::vector<Vec3> last_;                ///< of each load at t_(n-1) [force] or [moment]
     std::vector<std::vector<double>> work_; ///< of each load on each of its nodes
     std::size_t count_ = 0;                 ///< loaded nodes
-};
 
-/// Base accelerations (*LOAD_BODY_X/Y/Z): force -mass * acceleration on every node, or on the nodes of some
-/// parts.
-class BodyLoads : public Term {
-public:
-    /// `state.mass` must already hold every mass of the scene, rigid bodies included; it is copied, because
-    /// nodes of rigid bodies lose theirs to the body.
-    BodyLoads(const Model& model, const State& state);
-
-    std::string_view name() const override { return "body loads"; }
-    std::size_t items() const override { return mass_.size(); }
-    void add_forces(const Clock& clock, State& state) override;
-    void report(EnergyLedger& ledger) const override { ledger.external_work += work_; }
-
-private:
-    Vec3 acceleration(double time) const;
-
-    const Model& model_;
-    std::vector<double> mass_; ///< loaded mass of each node [mass]
-    Vec3 last_acceleration_{};
-    double work_ = 0;
+    Vec3 direction_of(const NodalLoad& load, const State& state) const;
 };
 
 } // namespace plash

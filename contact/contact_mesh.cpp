@@ -96,6 +96,7 @@ void fill_facets(ContactMesh& mesh, const std::vector<JoinedSegment>& joined, st
         facet.part = segment.part;
         facet.belongs = item.belongs;
         facet.one_sided = segment.one_sided;
+        facet.rigid = segment.rigid;
         mesh.facets.push_back(facet);
         mesh.segments.push_back(segment);
     }

@@ -32,6 +32,7 @@ struct ContactMesh {
         std::uint8_t belongs = 0;
         bool one_sided = false;
         bool exposed = true;
+        bool rigid = false; ///< of a rigid part, whose own nodes never touch it
 
         bool triangle() const { return corner[3] == corner[2]; }
     };

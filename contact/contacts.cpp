@@ -1,7 +1,12 @@
 #include "contact/contacts.h"
 
+#include "contact/edge_contact.h"
 #include "contact/force_transducer.h"
+#include "contact/interior_contact.h"
+#include "contact/tied_nodes.h"
+#include "contact/tied_springs.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace plash {
@@ -27,30 +32,89 @@ void check(const SurfaceContact& term, const Model& model)
     }
 }
 
+/// Springs of a tied contact; of one that is made by constraints only those that hold rigid nodes, which a
+/// constraint cannot move. Nothing if there are none.
+std::unique_ptr<Term> make_tied(const Contact& contact, const Model& model,
+                                const std::vector<PartData>& parts)
+{
+    SurfaceOptions options;
+    options.with_beams = true;
+    const Surface slave = make_surface(model, parts, contact.slave, options);
+    const Surface master = make_surface(model, parts, contact.master, options);
+    TieSearch search = find_tied_points(slave, master, contact, model.nodes.position);
+    std::vector<std::string> notices;
+    if (ties_by_constraint(contact)) {
+        std::erase_if(search.points, [&](const TiedPoint& point) {
+            const Index part = slave.nodes[point.slave].part;
+            return part == none || !parts[part].rigid;
+        });
+        if (search.points.empty()) return nullptr;
+        notices.push_back(
+            fmt::format("contact {}: springs tie {} nodes of rigid parts, which a constraint cannot move",
+                        contact.id, search.points.size()));
+    } else if (!search.left_out.empty()) {
+        notices.push_back(fmt::format("contact {}: {} of {} nodes are not tied, as they lie over no segment "
+                                      "or too far from it, first node {}",
+                                      contact.id, search.left_out.size(), slave.nodes.size(),
+                                      model.nodes.id[search.left_out.front()]));
+    }
+    TiedSprings springs(contact, model, slave, master, std::move(search.points));
+    return std::make_unique<TiedContact>(contact, std::move(springs), std::move(notices));
+}
+
 } // namespace
 
 std::vector<std::unique_ptr<Term>> make_contacts(const Model& model)
 {
     std::vector<std::unique_ptr<Term>> terms;
-    if (model.contacts.empty()) return terms;
+    const auto is_interior = [](const Record& record) { return record.keyword == "CONTACT_INTERIOR"; };
+    if (model.contacts.empty() && std::none_of(model.others.begin(), model.others.end(), is_interior))
+        return terms;
     const std::vector<PartData> parts = part_data(model);
     std::vector<const SurfaceContact*> contacts;
+    std::vector<std::pair<std::size_t, const Contact*>>
+        transducers; // made once all that they listen to are there
     for (const Contact& contact : model.contacts) {
-        if (contact.kind == Contact::Kind::interior) continue;
-        if (contact.kind == Contact::Kind::transducer) {
-            terms.push_back(nullptr); // made below, once all that it listens to are there
-            continue;
+        switch (contact.kind) {
+        case Contact::Kind::interior:
+            break;
+        case Contact::Kind::transducer:
+            transducers.emplace_back(terms.size(), &contact);
+            terms.push_back(nullptr);
+            break;
+        case Contact::Kind::tied:
+            if (auto tied = make_tied(contact, model, parts)) terms.push_back(std::move(tied));
+            break;
+        default: {
+            const bool with_edges = contact.kind == Contact::Kind::general;
+            auto term = std::make_unique<SurfaceContact>(contact, model, parts);
+            if (!with_edges || !term->mesh().facets.empty()) {
+                check(*term, model);
+                contacts.push_back(term.get());
+                terms.push_back(std::move(term));
+            }
+            if (!with_edges) break;
+            auto edges = std::make_unique<EdgeContact>(contact, model, parts);
+            if (edges->edges().empty() && terms.empty()) {
+                throw DeckError(contact.where,
+                                fmt::format("*{} {}: its parts have neither segments nor edges",
+                                            contact.keyword, contact.id));
+            }
+            if (!edges->edges().empty()) terms.push_back(std::move(edges));
         }
-        auto term = std::make_unique<SurfaceContact>(contact, model, parts);
-        check(*term, model);
-        contacts.push_back(term.get());
-        terms.push_back(std::move(term));
+        }
     }
-    std::size_t place = 0;
-    for (const Contact& contact : model.contacts) {
-        if (contact.kind == Contact::Kind::interior) continue;
-        auto& term = terms[place++];
-        if (!term) term = std::make_unique<ForceTransducer>(contact, model, parts, contacts);
+    for (const Record& record : model.others) {
+        const Table* sets = is_interior(record) ? record.table("PSID") : nullptr;
+        for (std::size_t row = 0; sets && row < sets->rows(); ++row) {
+            const Id id = static_cast<Id>(sets->at(row, 0));
+            for (const PartSet& set : model.part_sets) {
+                if (set.id == id) terms.push_back(std::make_unique<InteriorContact>(model, parts, set, 0.1));
+            }
+        }
+    }
+    for (const auto& [place, contact] : transducers) {
+        terms[place] = std::make_unique<ForceTransducer>(*contact, model, parts, contacts);
     }
     return terms;
 }

@@ -56,6 +56,7 @@ bool PairSearch::may_touch(const ContactMesh& mesh, Index node, Index number) co
 {
     const ContactMesh::Facet& facet = mesh.facets[number];
     if ((mesh.nodes[node].acts_on & facet.belongs) == 0) return false;
+    if (facet.rigid && facet.part == mesh.nodes[node].part) return false;
     for (Index corner : facet.corner) {
         if (corner == node) return false;
     }

@@ -3,6 +3,7 @@
 #include "contact/bounding_tree.h"
 #include "contact/contact_mesh.h"
 #include "contact/mesh_motion.h"
+#include "core/archive.h"
 
 namespace plash {
 
@@ -12,14 +13,16 @@ struct PairList {
     std::vector<Index> facet; ///< of each pair, rising for each node
     /// Path (see MeshMotion::travelled) before which the pair cannot touch [length]; kept by the TouchFinder.
     std::vector<double> due;
+
+    void serialise(Archive& archive) { archive(node, facet, due); }
 };
 
 /// Finds pairs closer than what contact needs plus a margin, and tells when they must be found again.
 ///
 /// A pair is left out when the node is a corner of the facet or of the solid behind it, and when the node
-/// does not act on the facet. The list holds until nodes of the mesh have moved relative to one another by
-/// the margin: the diagonal of the box of all displacements since the search bounds every relative
-/// displacement, so a car that drives as a whole needs no search.
+/// does not act on the facet, or when both are of one rigid part. The list holds until nodes of the mesh have
+/// moved relative to one another by the margin: the diagonal of the box of all displacements since the search
+/// bounds every relative displacement, so a car that drives as a whole needs no search.
 class PairSearch {
 public:
     PairSearch() = default;
@@ -35,6 +38,7 @@ public:
     const PairList& pairs() const { return pairs_; }
     double margin() const { return margin_; }
     long searches() const { return searches_; }
+    void serialise(Archive& archive) { archive(order_, searched_at_, test_due_, pairs_, searches_); }
 
 private:
     const std::vector<std::array<Index, 8>>* solid_nodes_ = nullptr;

@@ -69,13 +69,14 @@ std::vector<PartData> part_data(const Model& model)
         if (part.material != none) {
             const Record& material = model.materials[part.material];
             data.density = first_given(material, {"RO"});
-            data.rigid = material.keyword == "MAT_RIGID";
+            data.rigid = model.is_rigid(static_cast<Index>(number));
         }
         data.bulk_modulus = bulk_modulus_of(model, part);
         if (part.section == none) continue;
         const Record& section = model.sections[part.section];
         if (section.keyword.starts_with("SECTION_SHELL")) data.thickness = section.real("T1");
         if (section.keyword.starts_with("SECTION_BEAM")) {
+            data.spot_weld = section.integer("ELFORM") == 9;
             const double outer = first_given(section, {"TS1"}), inner = first_given(section, {"TT1"});
             const bool tube = section.integer("CST") == 1;
             const double own_area = first_given(section, {"A"});

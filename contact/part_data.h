@@ -11,6 +11,7 @@ struct PartData {
     double thickness = 0;    ///< of shells by their section [length]; 0 for other parts
     double beam_radius = 0;  ///< of beams, half the outer diameter [length]
     double beam_area = 0;    ///< of beams [length^2]
+    bool spot_weld = false;  ///< beams of ELFORM 9
     bool rigid = false;
 };
 

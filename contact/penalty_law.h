@@ -2,6 +2,7 @@
 
 #include "contact/touch.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plash {
@@ -15,6 +16,15 @@ inline double rounded_force(double stiffness, double penetration, double roundin
     if (penetration <= 0) return 0;
     if (penetration < rounding) return 0.5 * stiffness * penetration * penetration / rounding;
     return stiffness * (penetration - 0.5 * rounding);
+}
+
+/// Stiffness that PENOPT of *CONTROL_CONTACT takes from those of node and segment: 1 the smaller one, 2 and
+/// others the segment's, 3 the node's; a node without one takes the segment's.
+inline double unscaled_stiffness(int option, double node, double segment)
+{
+    if (node <= 0) return segment;
+    if (option == 1) return segment > 0 ? std::min(node, segment) : node;
+    return option == 3 ? node : segment;
 }
 
 /// Coulomb coefficient that decays with the sliding speed: FD + (FS - FD) exp(-DC |v|).

@@ -74,6 +74,7 @@ private:
     std::vector<SolidFace> faces_;
     Surface surface_;
     std::vector<Index> beams_;
+    std::vector<Index> particles_;
 
     void add_shell(Index shell)
     {
@@ -110,7 +111,16 @@ private:
                 if (face.neighbour == none || options_.inner_faces) add_face(face);
             }
             for (std::size_t i = 0; options_.with_beams && i < model_.beams.size(); ++i) {
-                if (wanted[model_.beams.part[i]]) beams_.push_back(static_cast<Index>(i));
+                const Index part = model_.beams.part[i];
+                if (wanted[part] && (options_.spot_weld_beams || !parts_[part].spot_weld))
+                    beams_.push_back(static_cast<Index>(i));
+            }
+        }
+        if (options_.with_particles && side_.kind == Kind::parts) {
+            std::vector<bool> wanted(model_.parts.size());
+            for (Index part : side_.parts) wanted[part] = true;
+            for (std::size_t i = 0; i < model_.particles.size(); ++i) {
+                if (wanted[model_.particles.part[i]]) particles_.push_back(static_cast<Index>(i));
             }
         }
         if (side_.kind == Kind::shells) {
@@ -152,6 +162,7 @@ private:
             const auto& nodes = model_.beams.nodes[beam];
             return outside(nodes[0]) || outside(nodes[1]);
         });
+        std::erase_if(particles_, [&](Index particle) { return outside(model_.particles.node[particle]); });
     }
 
     /// The first of several segments on the same nodes stays: a shell before the face of a solid. Faces of
@@ -222,6 +233,7 @@ private:
         const double longest = std::max(norm(diagonal), norm(other));
         segment.half_thickness = 0.5 * contact_thickness(segment);
         segment.size = std::sqrt(area);
+        segment.rigid = segment.part != none && parts_[segment.part].rigid;
         if (segment.solid != none) {
             const double volume = solid_volume(model_.solids.nodes[segment.solid], position);
             segment.stiffness = volume > 0 ? scale * bulk * area * area / volume : 0;
@@ -255,6 +267,7 @@ private:
                 entries.push_back({ends[end], part, radius, side_.stiffness_scale * axial});
             }
         }
+        for (Index particle : particles_) entries.push_back(particle_node(particle));
         std::stable_sort(entries.begin(), entries.end(),
                          [](const ContactNode& a, const ContactNode& b) { return a.node < b.node; });
         for (const ContactNode& entry : entries) {
@@ -269,6 +282,29 @@ private:
         if (side_.kind == ContactSide::Kind::nodes) take_listed_nodes();
     }
 
+    ContactNode particle_node(Index particle) const
+    {
+        const Index part = model_.particles.part[particle];
+        const PartContact* own = part_contact(part);
+        const double mass = model_.particles.mass[particle], density = parts_[part].density;
+        const double volume = mass < 0 ? -mass : density > 0 ? mass / density : 0;
+        const double edge = std::cbrt(volume);
+        double thickness = side_.thickness > 0 ? side_.thickness : particles_have_thickness() ? edge : 0;
+        if (own && own->thickness > 0) thickness = own->thickness;
+        const double scale = side_.stiffness_scale * (own ? own->stiffness_scale : 1);
+        return {model_.particles.node[particle], part, 0.5 * thickness,
+                scale * parts_[part].bulk_modulus * edge};
+    }
+
+    /// ITHK of *CONTROL_SPH.
+    bool particles_have_thickness() const
+    {
+        for (const Record& record : model_.others) {
+            if (record.keyword == "CONTROL_SPH" && record.integer("ITHK") == 1) return true;
+        }
+        return false;
+    }
+
     /// A node set: thickness and stiffness are those of the elements at the node, whatever their part.
     void take_listed_nodes()
     {
@@ -280,11 +316,19 @@ private:
         std::vector<Index> wanted = side_.nodes;
         std::sort(wanted.begin(), wanted.end());
         wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-        auto known = whole.nodes.begin();
+        std::vector<ContactNode> listed = whole.nodes;
+        if (options_.with_particles && model_.particles.size() > 0) {
+            for (std::size_t i = 0; i < model_.particles.size(); ++i) {
+                listed.push_back(particle_node(static_cast<Index>(i)));
+            }
+            std::stable_sort(listed.begin(), listed.end(),
+                             [](const ContactNode& a, const ContactNode& b) { return a.node < b.node; });
+        }
+        auto known = listed.cbegin();
         for (Index node : wanted) {
             if (side_.box && !side_.box->holds(model_.nodes.position[node])) continue;
-            while (known != whole.nodes.end() && known->node < node) ++known;
-            const bool found = known != whole.nodes.end() && known->node == node;
+            while (known != listed.cend() && known->node < node) ++known;
+            const bool found = known != listed.cend() && known->node == node;
             surface_.nodes.push_back(found ? *known : ContactNode{node, none, 0, 0});
             if (side_.thickness > 0) surface_.nodes.back().half_thickness = 0.5 * side_.thickness;
         }
@@ -302,7 +346,10 @@ SurfaceOptions surface_options(const Contact& contact)
         contact.kind == Contact::Kind::single_surface || contact.kind == Contact::Kind::general;
     options.limit_thickness = single && contact.limit_thickness;
     options.thickness_option = contact.thickness_option;
-    options.with_beams = contact.kind == Contact::Kind::general;
+    options.with_beams =
+        contact.kind == Contact::Kind::general || contact.keyword.find("BEAMS_TO") != std::string::npos;
+    options.spot_weld_beams = contact.spot_weld_beams || contact.kind != Contact::Kind::general;
+    options.with_particles = !single;
     options.penetration_factor = contact.largest_penetration;
     return options;
 }

@@ -12,6 +12,7 @@ struct Segment {
     Index shell = none;        ///< element of the Model that it belongs to, or `none`
     Index solid = none;        ///< likewise; the normal by the order of nodes points out of the solid
     Index covered_by = none;   ///< inner face of solids: shows only once this solid has eroded
+    bool rigid = false;        ///< of a rigid part, whose own nodes never touch it
     bool one_sided = false;    ///< acts only on the side that its normal points to
     double half_thickness = 0; ///< contact thickness on either side of the nodes' plane [length]
     double stiffness = 0; ///< unscaled penalty stiffness, K A / longest diagonal or K A^2 / V [force/length]
@@ -40,6 +41,8 @@ struct SurfaceOptions {
     bool limit_thickness = false;  ///< shells at most 40 % of their shortest edge
     int thickness_option = 2;      ///< SHLTHK: 0 none, 1 deformable parts only, 2 all
     bool with_beams = false;       ///< nodes of beams belong to the surface
+    bool spot_weld_beams = true;   ///< those of ELFORM 9 as well
+    bool with_particles = false;   ///< SPH particles of the parts belong to the surface, as nodes
     double penetration_factor = 0; ///< PENMAX: depth in thicknesses; 0: default
 };
 
@@ -50,6 +53,8 @@ SurfaceOptions surface_options(const Contact& contact);
 /// Segments come from shells, from faces of solids that no other solid of the Model shares, and from segment
 /// sets, whose thickness and stiffness are those of the element beneath (a shell is preferred, as in
 /// LS-DYNA). Contact thickness: SST/MST, else OPTT of the part, else the element's (times SFT or SFST).
+/// SPH particles are nodes: thickness SST/MST, else with ITHK = 1 of *CONTROL_SPH the edge of a cube of their
+/// volume, else zero; stiffness that of such a cube of their material.
 /// Stiffness: Hallquist (2006) 'Contact-Impact Algorithm', without the factor SLSFAC SFS.
 Surface make_surface(const Model& model, const std::vector<PartData>& parts, const ContactSide& side,
                      const SurfaceOptions& options);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace plash {
 
@@ -56,7 +57,40 @@ SurfaceContact::SurfaceContact(const Contact& contact, const Model& model, const
       frictions_(frictions_of(contact, model)),
       sum_now_(mesh_.nodes.size()),
       sum_before_(mesh_.nodes.size())
-{}
+{
+    if (contact.tie.method != Tie::Method::none) tie(parts);
+    rigid_.resize(model.parts.size());
+    for (std::size_t part = 0; part < parts.size(); ++part) rigid_[part].rigid = parts[part].rigid;
+}
+
+/// TIEBREAK: nodes that are held do not touch until they are set free; under OPTION 4 springs only pull, and
+/// contact does the rest.
+void SurfaceContact::tie(const std::vector<PartData>& parts)
+{
+    const SurfaceOptions options = surface_options(contact_);
+    const Surface slave = make_surface(model_, parts, contact_.slave, options);
+    const Surface master = make_surface(model_, parts, contact_.master, options);
+    TieSearch search = find_tied_points(slave, master, contact_, model_.nodes.position);
+    ties_.emplace(contact_, model_, slave, master, std::move(search.points));
+    if (contact_.tie.failure == 4) return;
+    number_.resize(model_.nodes.size(), none);
+    for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) number_[mesh_.nodes[i].node] = static_cast<Index>(i);
+    acts_on_again_.resize(mesh_.nodes.size());
+    for (Index node : ties_->held_nodes()) {
+        acts_on_again_[number_[node]] = std::exchange(mesh_.nodes[number_[node]].acts_on, std::uint8_t{0});
+    }
+}
+
+void SurfaceContact::pull_ties(const Clock& clock, State& state)
+{
+    ties_->add_forces(clock, state);
+    if (ties_->released().empty() || number_.empty()) return;
+    for (Index node : ties_->released()) {
+        const Index number = number_[node];
+        if (mass_[number] > 0) mesh_.nodes[number].acts_on = acts_on_again_[number];
+    }
+    search_.forget();
+}
 
 /// Nodes of rigid bodies have no mass in the State: there the mass of their elements serves.
 void SurfaceContact::take_masses(const State& state)
@@ -66,16 +100,20 @@ void SurfaceContact::take_masses(const State& state)
         const Index node = mesh_.nodes[i].node;
         mass_[i] = state.mass[node] > 0 ? state.mass[node] : lumped_[node];
         if (mass_[i] == 0) mesh_.nodes[i].acts_on = 0;
+        const Index part = mesh_.nodes[i].part;
+        if (part != none) rigid_[part].mass += mass_[i];
     }
     lumped_ = {};
 }
 
 void SurfaceContact::follow_erosion(const State& state)
 {
-    if (state.deletions == deletions_seen_) return;
+    const bool known = state.deletions == deletions_seen_;
+    if (known && !restarted_) return;
+    if (!known) search_.forget();
+    restarted_ = false;
     deletions_seen_ = state.deletions;
     mesh_.update_exposed(state);
-    search_.forget();
 }
 
 void SurfaceContact::find_touches()
@@ -101,21 +139,27 @@ void SurfaceContact::find_touches()
     for (double loss : friction) energy_.friction += loss;
 }
 
+/// SOFT = 0: SLSFAC times the stiffness by PENOPT. SOFT = 1: at least what the smallest mass bears. SOFT = 2:
+/// what the masses of node and segment bear together, SLSFAC SFS m1 m2 / (m1 + m2) / (2 dt^2) (keyword
+/// manual, *CONTACT, SOFT = 2); without it where SOFT = 2 has no step yet, the penalty serves.
 double SurfaceContact::stiffness_of(const Touch& touch) const
 {
-    const double node = mesh_.nodes[touch.node].stiffness;
     const Facet& facet = mesh_.facets[touch.facet];
-    double unscaled = facet.stiffness;
-    // PENOPT: 1 the smaller one, 2 the segment's, 3 the node's, 4 the segment's scaled ... as the manual
-    // lists.
-    if (contact_.penalty_option == 1 && node > 0)
-        unscaled = facet.stiffness > 0 ? std::min(node, facet.stiffness) : node;
-    if (contact_.penalty_option == 3 && node > 0) unscaled = node;
-    const double penalty = contact_.penalty_scale * unscaled;
-    if (contact_.soft != 1 || soft_step_ == 0) return penalty;
-    double smallest = mass_[touch.node];
+    const double penalty =
+        contact_.penalty_scale *
+        unscaled_stiffness(contact_.penalty_option, mesh_.nodes[touch.node].stiffness, facet.stiffness);
+    if (contact_.soft == 0 || soft_step_ == 0) return penalty;
+    const double own = mass_[touch.node], step2 = soft_step_ * soft_step_;
+    if (contact_.soft == 2) {
+        double segment = 0;
+        for (Index corner : facet.corner) segment += 0.25 * mass_[corner];
+        const ContactSide& side = (facet.belongs & master_bit) != 0 ? contact_.master : contact_.slave;
+        const double scale = 0.5 * contact_.penalty_scale * side.stiffness_scale;
+        return segment > 0 ? scale * own * segment / (own + segment) / step2 : scale * own / step2;
+    }
+    double smallest = own;
     for (Index corner : facet.corner) smallest = std::min(smallest, mass_[corner]);
-    return std::max(penalty, 0.5 * contact_.soft_scale * smallest / (soft_step_ * soft_step_));
+    return std::max(penalty, 0.5 * contact_.soft_scale * smallest / step2);
 }
 
 const Friction& SurfaceContact::friction_of(const Touch& touch, Friction& mixed) const
@@ -144,6 +188,7 @@ double SurfaceContact::apply_law(Touch& touch) const
         if (share[i] != 0 && mass_[corner] > 0) facet_inverse_mass += share[i] * share[i] / mass_[corner];
     }
     const double closing = -dot(velocity, touch.normal);
+    if (contact_.constraint) return 0; // constrain() finds the force
     if (touch.stiffness == 0 || soft_changed_) touch.stiffness = stiffness_of(touch);
     double normal_force = rounded_force(touch.stiffness, touch.active_penetration(), touch.rounding);
     if (normal_force > 0 && contact_.damping > 0 && facet_inverse_mass > 0) {
@@ -169,7 +214,8 @@ double SurfaceContact::apply_law(Touch& touch) const
 void SurfaceContact::add_forces(const Clock& clock, State& state)
 {
     if (mass_.empty()) take_masses(state);
-    vote_ = StepVote::nothing();
+    vote_ = ties_ ? ties_->vote() : StepVote::nothing();
+    if (ties_) pull_ties(clock, state);
     if (!active(clock)) {
         now_.clear();
         before_.clear();
@@ -177,13 +223,71 @@ void SurfaceContact::add_forces(const Clock& clock, State& state)
     }
     follow_erosion(state);
     motion_.load(mesh_, clock, state);
-    soft_changed_ = contact_.soft == 1 && clock.last_step > soft_step_;
-    soft_step_ = std::max(soft_step_, clock.last_step);
+    const double longest = contact_.soft_step > 0 ? contact_.soft_step : clock.last_step;
+    soft_changed_ = contact_.soft != 0 && longest > soft_step_;
+    soft_step_ = std::max(soft_step_, longest);
     search_.update(mesh_, motion_);
     find_touches();
-    if (now_.size() + before_.size() == 0) return;
+    if (contact_.constraint || now_.size() + before_.size() == 0) return;
     sum_up();
     add_to(clock, state);
+}
+
+void SurfaceContact::constrain(const Clock& clock, State& state)
+{
+    if (!contact_.constraint || !active(clock) || now_.size() + before_.size() == 0) return;
+    set_constraint_forces(clock, state);
+    sum_up();
+    add_to(clock, state);
+}
+
+/// Forces that leave each touching node on its facet at n+1: the penetration that velocities and forces so
+/// far lead to, over the step and the inverse masses of node and facet (Taylor and Flanagan 1987, 'PRONTO
+/// 2D', contact; Hallquist 2006, 'Kinematic constraint method'). The mass of a corner is shared by the
+/// touches on it in proportion to their shares, so that all together do not overdo it. Impacts are plastic,
+/// as LS-DYNA's.
+void SurfaceContact::set_constraint_forces(const Clock& clock, State& state)
+{
+    const auto inverse_mass = [&](Index node) {
+        const double mass = state.mass[mesh_.nodes[node].node];
+        return mass > 0 ? 1 / mass : 0;
+    };
+    const auto next_velocity = [&](Index node) {
+        return motion_.velocity[node] +
+               (clock.velocity_step() * inverse_mass(node)) * state.force[mesh_.nodes[node].node];
+    };
+    std::vector<double> taken(mesh_.nodes.size());
+    now_.for_each([&](const Touch& touch) {
+        const auto share = shares_of(mesh_, touch);
+        for (int i = 0; i < 4; ++i) taken[mesh_.facets[touch.facet].corner[i]] += share[i];
+    });
+    for (auto& chunk : now_.chunks) {
+        for (Touch& touch : chunk) {
+            const Facet& facet = mesh_.facets[touch.facet];
+            const auto share = shares_of(mesh_, touch);
+            Vec3 velocity = next_velocity(touch.node);
+            double inverse = inverse_mass(touch.node);
+            for (int i = 0; i < 4; ++i) {
+                velocity -= share[i] * next_velocity(facet.corner[i]);
+                inverse += share[i] * taken[facet.corner[i]] * inverse_mass(facet.corner[i]);
+            }
+            touch.force = touch.friction = {};
+            const double along = dot(velocity, touch.normal);
+            const double ahead = touch.active_penetration() - clock.step * along;
+            if (ahead <= 0 || inverse == 0) continue;
+            const double normal_force = ahead / (clock.step * clock.velocity_step() * inverse);
+            Friction mixed;
+            const Friction& friction = friction_of(touch, mixed);
+            const Vec3 slip = velocity - along * touch.normal;
+            const double speed = norm(slip);
+            if (friction.any() && speed > 0) {
+                const double limit = contact_.friction_scale * friction.coefficient(speed) * normal_force;
+                const double stop = speed / (clock.velocity_step() * inverse);
+                touch.friction = (-std::min(limit, stop) / speed) * slip;
+            }
+            touch.force = normal_force * touch.normal + touch.friction;
+        }
+    }
 }
 
 /// One touch after the other, in the order of the list: the sums have the same bits for any number of
@@ -238,8 +342,10 @@ void SurfaceContact::add_to(const Clock& clock, State& state)
             const NodeSum& sum = sum_now_[i];
             const double power = dot(sum.force + sum_before_[i].force, motion_.velocity[i]);
             (mesh_.nodes[i].sides & slave_bit ? part.slave : part.master) -= power;
-            if (sum.stiffness == 0) continue;
+            if (sum.stiffness == 0 && dot(sum.force, sum.force) == 0) continue;
             state.force[mesh_.nodes[i].node] += sum.force;
+            const Index own = mesh_.nodes[i].part;
+            if (own != none && rigid_[own].rigid) continue; // votes with its body
             const double frequency = mass_[i] > 0 ? sum.stiffness / mass_[i] : 0;
             if (frequency > part.largest) {
                 part.largest = frequency;
@@ -254,10 +360,35 @@ void SurfaceContact::add_to(const Clock& clock, State& state)
         energy_.master += 0.5 * clock.last_step * part.master;
         if (part.largest > whole.largest) whole = part;
     }
+    add_rigid_votes();
     if (whole.at == none) return;
+    const double step = 2 / std::sqrt(2 * whole.largest);
+    if (step > vote_.step) return;
     const ContactMesh::Node& node = mesh_.nodes[whole.at];
-    vote_ = {2 / std::sqrt(2 * whole.largest), "contact at node", model_.nodes.id[node.node], 0};
+    vote_ = {step, "contact at node", model_.nodes.id[node.node], 0};
     if (node.part != none) vote_.part = model_.parts[node.part].id;
+}
+
+/// A rigid body swings on all of its touches together; about an axis with at most four times the frequency of
+/// its translation, as springs at radius r act against an inertia of at least m r^2 / 4.
+void SurfaceContact::add_rigid_votes()
+{
+    bool any = false;
+    for (RigidPart& part : rigid_) {
+        part.stiffness = 0;
+        any = any || (part.rigid && part.mass > 0);
+    }
+    if (!any) return;
+    for (std::size_t i = 0; i < sum_now_.size(); ++i) {
+        const Index part = mesh_.nodes[i].part;
+        if (part != none && rigid_[part].rigid) rigid_[part].stiffness += sum_now_[i].stiffness;
+    }
+    for (std::size_t part = 0; part < rigid_.size(); ++part) {
+        if (!(rigid_[part].stiffness > 0) || !(rigid_[part].mass > 0)) continue;
+        const double step = 2 / std::sqrt(4 * rigid_[part].stiffness / rigid_[part].mass);
+        if (step < vote_.step)
+            vote_ = {step, "contact of rigid part", model_.parts[part].id, model_.parts[part].id};
+    }
 }
 
 std::vector<std::string> SurfaceContact::notices(const State& state) const
@@ -266,8 +397,23 @@ std::vector<std::string> SurfaceContact::notices(const State& state) const
     return describe(initial_penetrations(contact_, mesh_, search_, state), contact_, mesh_, model_);
 }
 
+void SurfaceContact::serialise(Archive& archive)
+{
+    archive(mass_, motion_.travelled, sum_now_, deletions_seen_, soft_step_, energy_);
+    search_.serialise(archive);
+    now_.serialise(archive);
+    if (!archive.loading()) return;
+    now_.first.assign(now_.chunks.empty() ? 0 : mesh_.nodes.size(), nullptr);
+    for (std::size_t chunk = 0; chunk < now_.chunks.size(); ++chunk) now_.index(chunk);
+    before_.clear();
+    for (std::size_t i = 0; i < mass_.size(); ++i) {
+        if (mass_[i] == 0) mesh_.nodes[i].acts_on = 0;
+    }
+    restarted_ = deletions_seen_ > 0;
+}
+
 /// Resultants of both sides.
-void SurfaceContact::collect(const State&, ElementResults& results) const
+void SurfaceContact::collect(const State& state, ElementResults& results) const
 {
     ElementResults::ContactForce sum;
     sum.contact = contact_.id;
@@ -293,12 +439,39 @@ void SurfaceContact::collect(const State&, ElementResults& results) const
         sum.slave_moment += node_is_slave ? node_moment : facet_moment;
         sum.master_moment += node_is_slave ? facet_moment : node_moment;
     });
+    if (ties_) {
+        ties_->collect(state, sum);
+        if (!results.contact_force.empty()) ties_->collect_nodes(results.contact_force);
+    }
     if (!results.contact_force.empty() && now_.size() > 0) {
         for (std::size_t i = 0; i < sum_now_.size(); ++i) {
             results.contact_force[mesh_.nodes[i].node] += sum_now_[i].force;
         }
     }
+    if (!results.contact_pressure.empty() && now_.size() > 0) add_pressures(results.contact_pressure);
     results.contacts.push_back(sum);
+}
+
+/// Normal forces of each node, as the one that touches and as a corner, over a quarter (third) of the area of
+/// its exposed facets.
+void SurfaceContact::add_pressures(std::vector<double>& pressure) const
+{
+    std::vector<double> normal(mesh_.nodes.size()), area(mesh_.nodes.size());
+    now_.for_each([&](const Touch& touch) {
+        const double force = dot(touch.force, touch.normal);
+        const auto share = shares_of(mesh_, touch);
+        normal[touch.node] += force;
+        for (int i = 0; i < 4; ++i) normal[mesh_.facets[touch.facet].corner[i]] += share[i] * force;
+    });
+    for (const Facet& facet : mesh_.facets) {
+        if (!facet.exposed) continue;
+        const int corners = facet.triangle() ? 3 : 4;
+        const double share = segment_area(facet.corner, motion_.position) / corners;
+        for (int i = 0; i < corners; ++i) area[facet.corner[i]] += share;
+    }
+    for (std::size_t i = 0; i < normal.size(); ++i) {
+        if (normal[i] > 0 && area[i] > 0) pressure[mesh_.nodes[i].node] += normal[i] / area[i];
+    }
 }
 
 } // namespace plash

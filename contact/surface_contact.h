@@ -1,8 +1,11 @@
 #pragma once
 
 #include "contact/penalty_law.h"
+#include "contact/tied_springs.h"
 #include "contact/touch.h"
 #include "core/term.h"
+
+#include <optional>
 
 namespace plash {
 
@@ -11,7 +14,9 @@ namespace plash {
 /// Stiffness of a touch: SOFT = 0: SLSFAC times the smaller (or as PENOPT says) of node and segment
 /// stiffness. SOFT = 1: at least SOFSCL m* / (2 dt^2) with the smallest mass of node and segment nodes and
 /// the longest step of the run so far, so that soft and stiff bodies meet as the step allows (Hallquist 2006,
-/// 'Soft constraint').
+/// 'Soft constraint'). SOFT = 2: from the masses of node and segment alone.
+///
+/// TIEBREAK contacts own the springs that hold their nodes until they fail.
 ///
 /// Energy: work of the contact forces by the trapezoidal rule over each step. Sliding energy is what they
 /// have taken out of the motion: elastic energy that comes back, friction and damping that do not.
@@ -22,17 +27,21 @@ public:
     std::string_view name() const override { return "contact"; }
     std::size_t items() const override { return mesh_.nodes.size(); }
     void add_forces(const Clock& clock, State& state) override;
+    void constrain(const Clock& clock, State& state) override;
     StepVote stable_step() const override { return vote_; }
     /// Initial penetrations: how many, how deep, where.
     std::vector<std::string> notices(const State& state) const override;
-    void report(EnergyLedger& ledger) const override { ledger.sliding += energy_.slave + energy_.master; }
+    void report(EnergyLedger& ledger) const override { ledger.sliding += sliding_energy(); }
     void collect(const State& state, ElementResults& results) const override;
+    void serialise(Archive& archive) override;
 
     const Contact& contact() const { return contact_; }
     const ContactMesh& mesh() const { return mesh_; }
     const TouchList& touches() const { return now_; }
     long searches() const { return search_.searches(); }
-    double sliding_energy() const { return energy_.slave + energy_.master; }
+    double sliding_energy() const { return energy_.slave + energy_.master + (ties_ ? ties_->energy() : 0); }
+    /// Springs of a TIEBREAK contact, or nullptr.
+    const TiedSprings* ties() const { return ties_ ? &*ties_ : nullptr; }
     double friction_energy() const { return energy_.friction; }
 
 private:
@@ -43,6 +52,12 @@ private:
     struct alignas(32) NodeSum {
         Vec3 force{};
         double stiffness = 0; ///< of the springs that hang on the node [force/length]
+    };
+    /// A rigid part by its nodes in this contact.
+    struct RigidPart {
+        bool rigid = false;
+        double mass = 0;      ///< [mass]
+        double stiffness = 0; ///< of all touches now [force/length]
     };
     const Contact& contact_;
     const Model& model_;
@@ -55,22 +70,32 @@ private:
     TouchList now_, before_;
     std::vector<NodeSum> sum_now_, sum_before_; ///< by mesh node; all zero without touches
     long deletions_seen_ = 0;
-    double soft_step_ = 0; ///< longest step so far [time]
+    bool restarted_ = false; ///< the mesh does not know yet what erosion had taken before the restart
+    double soft_step_ = 0;   ///< longest step so far [time]
     bool soft_changed_ = false;
     Energy energy_;
     StepVote vote_;
+    std::vector<RigidPart> rigid_; ///< by part of the Model
+    std::optional<TiedSprings> ties_;
+    std::vector<Index> number_; ///< of the mesh by State index; empty unless ties hold nodes back
+    std::vector<std::uint8_t> acts_on_again_; ///< by mesh node: what a held node will act on
 
     bool active(const Clock& clock) const
     {
         return clock.time >= contact_.birth && clock.time <= contact_.death;
     }
+    void tie(const std::vector<PartData>& parts);
+    void pull_ties(const Clock& clock, State& state);
+    void add_rigid_votes();
     void take_masses(const State& state);
     void follow_erosion(const State& state);
     void find_touches();
     double apply_law(Touch& touch) const;
     double stiffness_of(const Touch& touch) const;
     const Friction& friction_of(const Touch& touch, Friction& mixed) const;
+    void set_constraint_forces(const Clock& clock, State& state);
     void sum_up();
+    void add_pressures(std::vector<double>& pressure) const;
     void add_to(const Clock& clock, State& state);
 };
 

@@ -45,6 +45,8 @@ struct TouchList {
     void forget();
     /// Enters a chunk into `first`, which has an entry for every mesh node.
     void index(std::size_t chunk);
+    /// The chunks; `first` must be made anew after loading.
+    void serialise(Archive& archive) { archive(chunks); }
 };
 
 /// Finds which of the pairs touch.

@@ -8,7 +8,7 @@ namespace plash {
 void EnergyLedger::open_cycle(std::size_t part_count)
 {
     kinetic = internal = hourglass = bulk_viscosity = sliding = rigid_wall = damping = 0;
-    eroded_kinetic = eroded_internal = eroded_hourglass = advection_loss = external_work = 0;
+    eroded_kinetic = eroded_internal = eroded_hourglass = advection_loss = external_work = preload_work = 0;
     part_internal.assign(part_count, 0);
     part_hourglass.assign(part_count, 0);
 }
@@ -16,10 +16,10 @@ void EnergyLedger::open_cycle(std::size_t part_count)
 void EnergyLedger::close_cycle()
 {
     if (!started_) {
-        initial_total = total() - external_work;
+        initial_total = total() - external_work - preload_work;
         started_ = true;
     }
-    const double expected = initial_total + external_work;
+    const double expected = initial_total + external_work + preload_work;
     largest_error = std::max(largest_error, std::abs(total() - expected));
     largest_turnover = std::max({largest_turnover, std::abs(expected), std::abs(kinetic + internal)});
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/archive.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -21,12 +23,15 @@ struct EnergyLedger {
     double eroded_hourglass = 0;
     double advection_loss = 0;
     double external_work = 0;
+    /// Put in by prescribed stresses (preloads); no work of loads, so not part of `external_work`, but known
+    /// to the balance.
+    double preload_work = 0;
 
     std::vector<double> part_internal; ///< by part of the Model
     std::vector<double> part_hourglass;
 
     double initial_total = 0; ///< total at the first cycle
-    double largest_error = 0; ///< largest |total - initial - external work| so far [energy]
+    double largest_error = 0; ///< largest |total - initial - external and preload work| so far [energy]
     double largest_turnover =
         0; ///< largest of |initial + external work| and kinetic + internal so far [energy]
 
@@ -37,6 +42,9 @@ struct EnergyLedger {
 
     /// Books internal and hourglass energy under a part and in the totals.
     void add_part(int part, double internal_energy, double hourglass_energy);
+
+    /// The balance over the run; terms book the rest anew.
+    void serialise(Archive& archive) { archive(initial_total, largest_error, largest_turnover, started_); }
 
     double total() const;
     /// Largest balance error of the run over its largest turnover [-].

@@ -11,7 +11,7 @@ double prescribed_rate(const Model& model, const PrescribedMotion& motion, const
                        double velocity, double& travelled)
 {
     const auto prescribed = [&](double time) {
-        return motion.scale * curve_value(model, motion.curve, time);
+        return motion.scale * curve_value(model, motion.curve, time - motion.birth);
     };
     double next = 0;
     switch (motion.kind) {
@@ -23,6 +23,9 @@ double prescribed_rate(const Model& model, const PrescribedMotion& motion, const
         break;
     case PrescribedMotion::Kind::displacement:
         next = (prescribed(clock.time + clock.step) - travelled) / clock.step;
+        break;
+    case PrescribedMotion::Kind::velocity_of_displacement:
+        next = motion.scale * curve_value(model, motion.curve, travelled);
         break;
     }
     travelled += next * clock.step;

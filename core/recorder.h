@@ -37,6 +37,11 @@ public:
     virtual void write(const Snapshot&) = 0;
     /// Called in every cycle after its snapshots, for what is summed over cycles (angles of rotation).
     virtual void follow(const Clock&, const State&) {}
+    /// A state now, whatever is due (sense switch sw4); for recorders of whole states.
+    virtual void write_on_request(const Snapshot&) {}
+    /// Saves or loads what the recorder carries from cycle to cycle, and how much of its files belongs to the
+    /// run so far: loading cuts off what was written later.
+    virtual void serialise(Archive&) {}
     /// After the last write; the run ended normally or not.
     virtual void finish(const Snapshot&) {}
 };

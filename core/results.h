@@ -5,6 +5,7 @@
 #include "model/record.h"
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 namespace plash {
@@ -18,9 +19,11 @@ struct ElementResults {
     /// want the element. Empty: every element is wanted and its row is its own index.
     std::vector<Index> shell_rows;
     std::vector<Index> solid_rows;
+    std::vector<Index> beam_rows;
 
     Index row_of_shell(Index shell) const { return shell_rows.empty() ? shell : shell_rows[shell]; }
     Index row_of_solid(Index solid) const { return solid_rows.empty() ? solid : solid_rows[solid]; }
+    Index row_of_beam(Index beam) const { return beam_rows.empty() ? beam : beam_rows[beam]; }
 
     /// Shells carry their through-thickness points as `shell_layers` rows an element, from bottom to top.
     /// With three layers (LS-DYNA's MAXINT = 3) they are the middle, the innermost and the outermost
@@ -35,18 +38,72 @@ struct ElementResults {
 
     std::vector<Stress> solid_stress;         ///< global axes [stress]
     std::vector<double> solid_plastic_strain; ///< [-]
+    std::vector<double> solid_density;        ///< of Eulerian cells, with what is empty in them; 0 elsewhere
+                                              ///< [density]
+    /// Share of each group of the deck in the volume of Eulerian cells, group by group [-].
+    std::vector<std::vector<double>> solid_fraction;
+
+    /// Of a beam in its local axes r (from node 1 to 2), s and t. Bending moments are those at mid-length,
+    /// about the axis that they are named after.
+    struct BeamState {
+        double axial = 0, shear_s = 0, shear_t = 0;     ///< [force]
+        double moment_s = 0, moment_t = 0, torsion = 0; ///< [moment]
+        double plastic_strain = 0;                      ///< largest of the points [-]
+        double length = 0;                              ///< [length]
+    };
+    struct BeamPoint {
+        double axial = 0, shear_rs = 0, shear_tr = 0; ///< [stress]
+        double plastic_strain = 0;
+    };
+    std::vector<BeamState> beams;
+    int beam_points = 0;                ///< points shown of each beam; 0: none
+    std::vector<BeamPoint> beam_stress; ///< element x point
 
     std::vector<std::uint8_t> shell_deleted; ///< 1: eroded
     std::vector<std::uint8_t> solid_deleted;
+    std::vector<std::uint8_t> beam_deleted;
+
+    /// A particle (smoothed particle hydrodynamics).
+    struct Particle {
+        double smoothing = 0;       ///< smoothing length h [length]
+        double pressure = 0;        ///< [stress]
+        double density = 0;         ///< [mass/volume]
+        double mass = 0;            ///< [mass]
+        double internal_energy = 0; ///< of the whole particle [energy]
+        double plastic_strain = 0;  ///< of solids; of fluids, as in LS-DYNA, ln(density / reference) [-]
+        Stress stress{};            ///< Cauchy, global axes [stress]
+        int neighbours = 0;         ///< particles closer than the kernel's radius
+        bool active = false;        ///< takes part in the run
+    };
+    std::vector<Particle> particles; ///< by the Model's order (Model::particles); every row or none
 
     /// By part of the Model: mass, kinetic energy and momentum of the element masses, and what eroded
     /// elements of the part held when they went.
     struct PartMotion {
         double mass = 0, kinetic = 0;
         double momentum[3] = {0, 0, 0};
+        bool outside_state = false;                     ///< this mass is not in State::mass
         double eroded_internal = 0, eroded_kinetic = 0; ///< [energy]
     };
     std::vector<PartMotion> part_motion;
+
+    /// What the elements of a cross section exert on its nodes, by section of the Model; sized (with the
+    /// centroids set) by whoever wants it.
+    struct SectionForce {
+        Vec3 force{};
+        Vec3 moment{}; ///< about the centroid [moment]
+        Vec3 centroid{};
+    };
+    std::vector<SectionForce> sections;
+
+    /// Stable steps of single elements at the start [time], before the deck's safety factor.
+    struct ElementStep {
+        std::string_view kind{}; ///< "shell", "solid" ...
+        Id element = 0, part = 0;
+        double step = 0;
+    };
+    bool steps_wanted = false;
+    std::vector<ElementStep> steps; ///< appended by the element groups
 
     /// Force of the nodes on each rigid wall; `normal` is its share against the wall's normal [force].
     struct WallForce {
@@ -54,6 +111,7 @@ struct ElementResults {
         double normal = 0;
         Vec3 force{};
         double energy = 0; ///< taken out of the motion so far [energy]
+        Vec3 moved{};      ///< of the wall since the start [length]
     };
     std::vector<WallForce> walls; ///< appended by the walls' terms
 
@@ -82,12 +140,40 @@ struct ElementResults {
     };
     std::vector<ContactForce> contacts; ///< appended by the contacts' terms, in deck order
 
+    /// Motion of one rigid body at its center; `axes` are those of the body now.
+    struct RigidMotion {
+        Id body = 0;
+        bool nodal = false; ///< *CONSTRAINED_NODAL_RIGID_BODY
+        Vec3 place{}, displacement{}, velocity{}, acceleration{};
+        Vec3 angle{}, angular_velocity{}, angular_acceleration{}; ///< angle: integral of the angular velocity
+        std::array<Vec3, 3> axes{};
+    };
+    bool rigid_motions_wanted = false; ///< the two lists below are filled only then
+    std::vector<RigidMotion> rigid_bodies;
+
+    /// Force and moment of one joint on its second body at its first node, global axes.
+    struct JointForce {
+        Id joint = 0;
+        Vec3 force{}, moment{};
+        double energy = 0; ///< put into the bodies so far (motors) [energy]
+    };
+    std::vector<JointForce> joints;
+
     /// Force of all contacts on each node, summed by the contacts' terms; empty unless wanted [force].
     std::vector<Vec3> contact_force;
+    /// Pressure of all contacts on each node: normal forces over the area of its exposed segments; empty
+    /// unless wanted [stress].
+    std::vector<double> contact_pressure;
+
+    /// Force of Eulerian fluids on each node, summed by the couplings' terms; empty unless wanted [force].
+    std::vector<Vec3> coupling_force;
 
     /// By node: change of the velocity from n-1/2 to n+1/2 over that span [length/time^2]. Recorders put in
     /// force / mass; terms that move nodes themselves (rigid bodies) overwrite the entries of their nodes.
     std::vector<Vec3> acceleration;
+    /// By node: velocity at n. Recorders put in that of the State; terms whose material flows through a mesh
+    /// overwrite the entries of its nodes. Empty unless the deck has such a mesh.
+    std::vector<Vec3> material_velocity;
     std::vector<Vec3> angular_acceleration; ///< [1/time^2], only with rotations
 };
 

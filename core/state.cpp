@@ -12,6 +12,13 @@ void State::clear_forces()
     });
 }
 
+void State::serialise(Archive& archive)
+{
+    archive.section("nodes");
+    archive(position, velocity, mass, angular_velocity, inertia);
+    archive(deleted_shells, deleted_solids, deletions);
+}
+
 void State::need_rotation()
 {
     if (rotational()) return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/archive.h"
 #include "math/vector3.h"
 #include "model/record.h"
 
@@ -22,7 +23,7 @@ struct State {
 
     /// Elements deleted so far, by the Model's order (1: gone); empty until something may erode. Whoever
     /// deletes an element marks it here and raises `deletions`, so that contacts see their surfaces change.
-    std::vector<std::uint8_t> deleted_shells, deleted_solids;
+    std::vector<std::uint8_t> deleted_shells, deleted_solids, deleted_beams;
     long deletions = 0;
 
     std::size_t size() const { return position.size(); }
@@ -32,6 +33,9 @@ struct State {
     void clear_forces();
     /// Allocates the rotational arrays if they are not there yet.
     void need_rotation();
+
+    /// Positions and velocities between two cycles, masses, what is deleted.
+    void serialise(Archive& archive);
 };
 
 } // namespace plash

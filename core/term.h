@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/archive.h"
 #include "core/clock.h"
 #include "core/energy_ledger.h"
 #include "core/results.h"
@@ -21,6 +22,9 @@ struct StepVote {
 
     static StepVote nothing() { return {}; }
 };
+
+template <>
+inline constexpr bool is_plain<StepVote> = false; // its `kind` is an address
 
 /// One physical effect: an element group, a wall, a load, a constraint. The loop knows physics only as terms.
 /// Several calls of one kind never overlap; a term parallelises inside its own call.
@@ -48,16 +52,25 @@ public:
     /// Largest stable step at t_n; valid after add_forces.
     virtual StepVote stable_step() const { return StepVote::nothing(); }
 
-    /// Adds mass to the State so that no stable step of this term is below `step` (DT2MS); with `only_small` false
-    /// also takes mass away where it is longer. Called once, before the first cycle. Returns the added mass.
+    /// Adds mass to the State so that no stable step of this term is below `step` (DT2MS); with `only_small`
+    /// false also takes mass away where it is longer. Called once, before the first cycle. Returns the added
+    /// mass.
     virtual double scale_mass(double /*step*/, bool /*only_small*/, State&) { return 0; }
 
-    /// What the user should know before the first cycle, a line each (initial penetrations and the like); called
-    /// once the whole scene is there.
+    /// What the user should know before the first cycle, a line each (initial penetrations and the like);
+    /// called once the whole scene is there.
     virtual std::vector<std::string> notices(const State&) const { return {}; }
 
     /// Books every energy this term holds or has spent so far.
     virtual void report(EnergyLedger&) const {}
+
+    /// Saves or loads what this term carries from cycle to cycle beyond the State, as it stands between two
+    /// cycles (positions at n, before add_forces). Loading comes after the scene was built from the same
+    /// deck, so whatever the constructor makes need not be saved. Default: nothing.
+    virtual void serialise(Archive&) {}
+
+    /// False for a term that cannot be saved yet: runs with it write no restart files, and say so.
+    virtual bool restartable() const { return true; }
 
     /// Fills the arrays that the recorder has sized.
     virtual void collect(const State&, ElementResults&) const {}

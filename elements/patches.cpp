@@ -4,7 +4,9 @@
 #include "math/bisection.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace plash {
 
@@ -65,6 +67,9 @@ void Patches::assign_slots(std::size_t state_size)
 {
     std::vector<Index> touching(state_size, 0);
     for (Index node : nodes) ++touching[node];
+    for (const Watched& watched : watched_) { // a slot even where nobody else touches the node
+        if (touching[nodes[watched.entry]] == 1) ++touching[nodes[watched.entry]];
+    }
     std::vector<Index> next(state_size, none);
     shared_begin_.push_back(0);
     for (Index node : nodes) {
@@ -77,6 +82,35 @@ void Patches::assign_slots(std::size_t state_size)
     slot_.reserve(nodes.size());
     for (Index node : nodes) slot_.push_back(touching[node] > 1 ? next[node]++ : none);
     slot_force_.resize(shared_begin_.back());
+}
+
+void Patches::separate(const std::vector<std::uint64_t>& bits, std::size_t state_size)
+{
+    const std::vector<Index> before = std::exchange(nodes, {});
+    largest_node_count_ = 0;
+    for (Patch& patch : patches) {
+        const Index first_before = patch.first_node;
+        patch.first_node = static_cast<Index>(nodes.size());
+        std::map<std::pair<Index, std::uint64_t>, Index> local; // by old local number and sections
+        const std::size_t begin = static_cast<std::size_t>(patch.first_batch) * corners * lane_count;
+        const std::size_t end = begin + static_cast<std::size_t>(patch.batch_count) * corners * lane_count;
+        for (std::size_t place = begin; place < end; ++place) {
+            const Index old_number = corner_node[place] / 4;
+            const auto number = static_cast<Index>(nodes.size()) - patch.first_node;
+            const auto [entry, is_new] = local.try_emplace({old_number, bits[place]}, number);
+            corner_node[place] = static_cast<std::uint16_t>(4 * entry->second);
+            if (!is_new) continue;
+            if (bits[place] != 0) watched_.push_back({static_cast<Index>(nodes.size()), bits[place]});
+            nodes.push_back(before[first_before + old_number]);
+        }
+        patch.node_count = static_cast<Index>(nodes.size()) - patch.first_node;
+        largest_node_count_ = std::max(largest_node_count_, patch.node_count);
+    }
+    slot_.clear();
+    shared_node_.clear();
+    shared_begin_.clear();
+    slot_force_.clear();
+    assign_slots(state_size);
 }
 
 void Patches::prepare_scratch(bool with_rotation)

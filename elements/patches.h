@@ -67,6 +67,40 @@ public:
         return corner_node.data() + (static_cast<std::size_t>(batch) * corners + corner) * lane_count;
     }
 
+    /// Gives corners of cross sections copies of their own, so that what elements exert there can be told
+    /// apart. sections_of(element, node)  bits of the sections that want the element's force on the node
+    template <class SectionsOf>
+    void watch(std::size_t state_size, SectionsOf&& sections_of)
+    {
+        std::vector<std::uint64_t> bits(corner_node.size());
+        bool any = false;
+        for (const Patch& patch : patches) {
+            for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
+                for (int corner = 0; corner < corners; ++corner) {
+                    const std::size_t place =
+                        (static_cast<std::size_t>(batch) * corners + corner) * lane_count;
+                    for (int lane = 0; lane < lane_count; ++lane) {
+                        const Index element = elements[static_cast<std::size_t>(batch) * lane_count + lane];
+                        const Index node = nodes[patch.first_node + corner_node[place + lane] / 4];
+                        bits[place + lane] = sections_of(element, node);
+                        any = any || bits[place + lane] != 0;
+                    }
+                }
+            }
+        }
+        if (any) separate(bits, state_size);
+    }
+    /// visit(section bits, node, force, moment) for what the last for_each has found; in a fixed order.
+    template <class Visit>
+    void for_each_watched(Visit&& visit) const
+    {
+        for (const Watched& watched : watched_) {
+            const Index slot = slot_[watched.entry];
+            visit(watched.sections, nodes[watched.entry], slot_force_[slot],
+                  slot_moment_.empty() ? Vec3{} : slot_moment_[slot]);
+        }
+    }
+
     /// work(patch_number, patch, copies) for every patch, on all threads; `copies` holds position and
     /// velocity (and angular velocity, with rotations) and zeroed force (and moment), which are added to the
     /// State.
@@ -96,10 +130,16 @@ private:
     std::vector<Vec3> slot_moment_;
     std::vector<NodeCopies> scratch_; ///< one a thread
     Index largest_node_count_ = 0;
+    struct Watched {
+        Index entry;            ///< into `nodes`
+        std::uint64_t sections; ///< bits
+    };
+    std::vector<Watched> watched_;
 
     void number_nodes(std::span<const Index> connectivity, std::span<const Index> order,
                       std::size_t state_size);
     void assign_slots(std::size_t state_size);
+    void separate(const std::vector<std::uint64_t>& bits, std::size_t state_size);
     void prepare_scratch(bool with_rotation);
     void load(const Patch&, const State&, bool with_rotation, NodeCopies&) const;
     void store(const Patch&, State&, bool with_rotation, const NodeCopies&);

@@ -15,6 +15,7 @@ public:
           store_(part, state, std::move(settings), Formulation::plane_points, law_.initial_history(),
                  plastic_strain_of_law())
     {
+        if constexpr (requires { law_.start(store_); }) law_.start(store_);
         store_.add_masses(state);
     }
 
@@ -26,9 +27,16 @@ public:
         return store_.scale_mass(step, only_small, state);
     }
     void report(EnergyLedger& ledger) const override { store_.report(ledger); }
+    void serialise(Archive& archive) override { store_.serialise(archive); }
     void collect(const State& state, ElementResults& results) const override
     {
         store_.collect(state, results);
+    }
+
+    std::vector<std::string> notices(const State&) const override
+    {
+        if (store_.settings.notice.empty()) return {};
+        return {store_.settings.notice};
     }
 
     void add_forces(const Clock& clock, State& state) override
@@ -106,14 +114,26 @@ private:
     {
         const ShellSettings& settings = store_.settings;
         LaneMask lost = squared_length < settings.shortest_squared_length;
-        if constexpr (requires(HistoryView<Lanes> history) { law_.failed(history); }) {
+        constexpr bool one_law = requires(HistoryView<Lanes> history)
+        {
+            law_.failed(history);
+        };
+        constexpr bool plies = requires
+        {
+            Law::ply_place;
+        };
+        if constexpr (one_law || plies) {
             if (settings.points_fail) {
                 constexpr int point_size = shell_record::history + static_cast<int>(Law::history_size);
                 Lanes* history = store_.record(batch) + shell_record::points + shell_record::history;
                 LaneMask failed = LaneMask{} - 1;
                 const int points = Formulation::plane_points * settings.rule.size();
                 for (int point = 0; point < points; ++point, history += point_size) {
-                    failed &= law_.failed(HistoryView<Lanes>{history});
+                    if constexpr (plies) {
+                        failed &= law_.failed(point % settings.rule.size(), HistoryView<Lanes>{history});
+                    } else {
+                        failed &= law_.failed(HistoryView<Lanes>{history});
+                    }
                 }
                 lost |= failed & (store_.record(batch)[shell_record::mass_factor] > 0.0);
             }

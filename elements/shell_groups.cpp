@@ -1,11 +1,13 @@
 #include "elements/shell_groups.h"
 
+#include "elements/erosion.h"
 #include "elements/shell_group_makers.h"
 #include "elements/shell_mass.h"
 #include "materials/parameters.h"
 
 #include <array>
 #include <fmt/format.h>
+#include <map>
 #include <utility>
 
 namespace plash {
@@ -13,19 +15,34 @@ namespace plash {
 namespace {
 
 constexpr std::pair<std::string_view, ShellGroupMaker*> makers[] = {
+    {"MAT_COMPOSITE_DAMAGE", make_laminate_shells},
     {"MAT_ELASTIC", make_elastic_shells},
+    {"MAT_ENHANCED_COMPOSITE_DAMAGE", make_laminate_shells},
+    {"MAT_FABRIC", make_laminate_shells},
+    {"MAT_LAMINATED_COMPOSITE_FABRIC", make_laminate_shells},
+    {"MAT_ORTHOTROPIC_ELASTIC", make_laminate_shells},
     {"MAT_PIECEWISE_LINEAR_PLASTICITY", make_piecewise_linear_shells},
+    {"MAT_ISOTROPIC_ELASTIC_PLASTIC", make_piecewise_linear_shells},
+    {"MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", make_piecewise_linear_shells},
+    {"MAT_POWER_LAW_PLASTICITY", make_piecewise_linear_shells},
+    {"MAT_SIMPLIFIED_JOHNSON_COOK", make_piecewise_linear_shells},
     {"MAT_PLASTIC_KINEMATIC", make_plastic_kinematic_shells},
 };
 
 /// Who makes the group of a part; null for a rigid part.
-ShellGroupMaker* maker_of(const Model& model, const Part& part)
+ShellGroupMaker* maker_of(const Model& model, Index part_index)
 {
+    const Part& part = model.parts[part_index];
+    if (!part.layers.empty()) return make_laminate_shells;
     if (part.material == none) {
         throw DeckError(part.where, fmt::format("*PART {} has shells but no material", part.id));
     }
     const Record& material = model.materials[part.material];
-    if (material.keyword == "MAT_RIGID") return nullptr;
+    if (model.is_rigid(part_index)) return nullptr;
+    if (erosion_criteria(model, material)) {
+        throw DeckError(part.where,
+                        fmt::format("*PART {}: *MAT_ADD_EROSION is supported for solids only", part.id));
+    }
     for (const auto& [keyword, maker] : makers) {
         if (material.keyword == keyword) return maker;
     }
@@ -38,11 +55,11 @@ void check_element(const Model& model, Index element)
 {
     const ShellMass start = shell_mass(model, element);
     const Part& part = model.parts[model.shells.part[element]];
+    const Record& section = shell_section(model, part);
     if (!(start.thickness > 0)) {
-        throw DeckError(model.sections[part.section].where,
-                        fmt::format("shell {} of part {} has no thickness (T1 of *{}, or "
-                                    "*ELEMENT_SHELL_THICKNESS)",
-                                    model.shells.id[element], part.id, model.sections[part.section].keyword));
+        throw DeckError(section.where, fmt::format("shell {} of part {} has no thickness (T1 of *{}, or "
+                                                   "*ELEMENT_SHELL_THICKNESS)",
+                                                   model.shells.id[element], part.id, section.keyword));
     }
     if (!(start.area > 0)) {
         throw DeckError(part.where, fmt::format("shell {} of part {} has no area: its corners lie on a line",
@@ -53,27 +70,60 @@ void check_element(const Model& model, Index element)
 /// Formulation that the section of a part asks for.
 ShellFormulation formulation_of(const Model& model, const Part& part)
 {
-    if (part.section == none) {
-        throw DeckError(part.where, fmt::format("*PART {} has shells but no *SECTION_SHELL", part.id));
-    }
-    const Record& section = model.sections[part.section];
+    const Record& section = shell_section(model, part);
     const Id given = section.integer("ELFORM");
     switch (given == 0 ? model.controls.elements.shell_theory : given) {
+    case 1:
     case 2:
+    case 5:
+    case 10:
+    case 11:
         return ShellFormulation::belytschko_tsay;
     case 4:
         return ShellFormulation::triangle;
+    case 6:
+    case 7:
+    case 9:
     case 16:
         return ShellFormulation::fully_integrated;
     }
-    reject_field(section, "ELFORM",
-                 fmt::format("shell formulation {} is not supported (2: Belytschko-Tsay, 4: C0 triangle, 16: "
-                             "fully integrated)",
-                             given));
+    reject_field(
+        section, "ELFORM",
+        fmt::format("shell formulation {} is not supported (2: Belytschko-Tsay, 4: C0 triangle, 5 and "
+                    "9: membranes, 10: Belytschko-Wong-Chiang, 16: fully integrated; 1 and 11 run as "
+                    "10, 6 and 7 as 16)",
+                    given));
 }
 
-/// Adds the groups of a part: one of quadrilaterals, and one of triangles when they are sorted out (ESORT) or
-/// the section is one of triangles.
+/// *MAT_NULL: shells that only have mass, for contacts.
+bool is_null(const Model& model, const Part& part)
+{
+    return part.material != none && model.materials[part.material].keyword == "MAT_NULL";
+}
+
+void add_null_masses(const Model& model, const std::vector<Index>& elements, State& state)
+{
+    for (Index element : elements) {
+        check_element(model, element);
+        const ShellMass share = shell_mass(model, element);
+        const std::array<Index, 4> nodes = shell_corners(model, element);
+        for (int corner = 0; corner < 4; ++corner) state.mass[nodes[corner]] += share.corner_mass[corner];
+    }
+}
+
+/// Materials of the plies of an element, from the bottom; empty without plies.
+std::vector<Index> stack_of(const Model& model, Index element)
+{
+    std::vector<Index> stack;
+    for (const Layer& layer : shell_layers(model, element)) stack.push_back(layer.material);
+    return stack;
+}
+
+/// Elements of a part that can be one group: quadrilaterals or triangles, with the same stack of plies.
+using GroupKey = std::pair<bool, std::vector<Index>>;
+
+/// Adds the groups of a part: quadrilaterals, and triangles of their own when they are sorted out (ESORT) or
+/// the section is one of triangles; elements with different stacks of plies make different groups.
 void add_groups(ShellGroupMaker* maker, const ShellPart& all, State& state,
                 std::vector<std::unique_ptr<Term>>& groups)
 {
@@ -82,21 +132,24 @@ void add_groups(ShellGroupMaker* maker, const ShellPart& all, State& state,
     const ShellFormulation formulation = formulation_of(model, part);
     const bool sorted =
         formulation == ShellFormulation::triangle || model.controls.elements.sort_triangles > 0;
-    ShellPart quadrilaterals{model, all.part, {}}, triangles{model, all.part, {}};
+    std::map<GroupKey, ShellPart> members;
     for (Index element : all.elements) {
         check_element(model, element);
         const std::array<Index, 4> nodes = shell_corners(model, element);
         const bool triangle = nodes[2] == nodes[3];
         if (!triangle && formulation == ShellFormulation::triangle) {
             reject_field(
-                model.sections[part.section], "ELFORM",
+                shell_section(model, part), "ELFORM",
                 fmt::format("formulation 4 is for triangles, but shell {} of part {} has four corners",
                             model.shells.id[element], part.id));
         }
-        (triangle && sorted ? triangles : quadrilaterals).elements.push_back(element);
+        const GroupKey key{triangle && sorted, stack_of(model, element)};
+        members.try_emplace(key, ShellPart{model, all.part, {}}).first->second.elements.push_back(element);
     }
-    if (!quadrilaterals.elements.empty()) groups.push_back(maker(quadrilaterals, formulation, state));
-    if (!triangles.elements.empty()) groups.push_back(maker(triangles, ShellFormulation::triangle, state));
+    for (const auto& [key, shells] : members) {
+        ShellGroupMaker* make = key.second.empty() ? maker : make_laminate_shells;
+        groups.push_back(make(shells, key.first ? ShellFormulation::triangle : formulation, state));
+    }
 }
 
 } // namespace
@@ -110,7 +163,11 @@ std::vector<std::unique_ptr<Term>> make_shell_groups(const Model& model, State& 
     std::vector<std::unique_ptr<Term>> groups;
     for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part) {
         if (elements[part].empty()) continue;
-        ShellGroupMaker* maker = maker_of(model, model.parts[part]);
+        if (is_null(model, model.parts[part])) {
+            add_null_masses(model, elements[part], state);
+            continue;
+        }
+        ShellGroupMaker* maker = maker_of(model, part);
         if (!maker) continue;
         state.need_rotation();
         add_groups(maker, {model, part, std::move(elements[part])}, state, groups);

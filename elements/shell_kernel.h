@@ -5,6 +5,8 @@
 #include "materials/history.h"
 #include "math/symmetric_tensor.h"
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace plash {
@@ -33,6 +35,8 @@ struct ShellSettings {
     double wave_speed = 0;              ///< of a plane-stress wave [velocity]
     double poisson_ratio = 0;           ///< of the elastic law
     double density = 0;                 ///< [mass/volume]
+    bool membrane = false;              ///< ELFORM 5, 9: one point, no bending and no transverse shear
+    std::string notice;                 ///< what the user should know of the formulation; empty: nothing
     bool points_fail = false;           ///< the law has a failure strain
     double shortest_squared_length = 0; ///< elements whose step needs a shorter one are deleted [length^2]
 };
@@ -89,8 +93,16 @@ inline Lane update_points(const ShellSettings& settings, const Law& law,
     Lane work{}, shear_work{};
     thinning = Lane{};
     for (int point = 0; point < settings.rule.size(); ++point, values += point_size) {
-        const Lane z = (settings.rule.place[point] - settings.reference_offset) * half_thickness;
-        const double weight = settings.rule.weight[point];
+        const auto [z, weight] = [&] {
+            if constexpr (requires { Law::ply_place; }) {
+                return std::pair<Lane, Lane>(values[history + Law::ply_place] * half_thickness,
+                                             values[history + Law::ply_weight]);
+            } else {
+                return std::pair<Lane, double>((settings.rule.place[point] - settings.reference_offset) *
+                                                   half_thickness,
+                                               settings.rule.weight[point]);
+            }
+        }();
         SymmetricTensor<Lane> strain{increment.exx + z * increment.kxx,
                                      increment.eyy + z * increment.kyy,
                                      Lane{},
@@ -100,7 +112,11 @@ inline Lane update_points(const ShellSettings& settings, const Law& law,
         const SymmetricTensor<Lane> old{values[stress_xx], values[stress_yy], Lane{},
                                         values[stress_xy], values[stress_yz], values[stress_zx]};
         SymmetricTensor<Lane> stress = old;
-        law.update_plane_stress(stress, strain, HistoryView<Lane>{values + history}, time_step);
+        if constexpr (requires { Law::ply_place; }) {
+            law.update_ply(point, stress, strain, HistoryView<Lane>{values + history}, time_step);
+        } else {
+            law.update_plane_stress(stress, strain, HistoryView<Lane>{values + history}, time_step);
+        }
         values[stress_xx] = stress.xx;
         values[stress_yy] = stress.yy;
         values[stress_xy] = stress.xy;

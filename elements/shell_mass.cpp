@@ -1,6 +1,7 @@
 #include "elements/shell_mass.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace plash {
 
@@ -15,8 +16,27 @@ std::array<Index, 4> shell_corners(const Model& model, Index element)
     return nodes;
 }
 
+std::span<const Layer> shell_layers(const Model& model, Index element)
+{
+    const ShellElements& shells = model.shells;
+    if (!shells.layers.empty() && !shells.layers[element].empty()) return shells.layers[element];
+    return model.parts[shells.part[element]].layers;
+}
+
+const Record& shell_section(const Model& model, const Part& part)
+{
+    if (part.section != none) return model.sections[part.section];
+    if (part.composite != none) return model.others[part.composite];
+    throw DeckError(part.where, fmt::format("*PART {} has shells but no *SECTION_SHELL", part.id));
+}
+
 double shell_thickness(const Model& model, Index element)
 {
+    if (const auto layers = shell_layers(model, element); !layers.empty()) {
+        double sum = 0;
+        for (const Layer& layer : layers) sum += layer.thickness;
+        return sum;
+    }
     if (!model.shells.thickness.empty() && model.shells.thickness[element][0] > 0) {
         const std::array<double, 4>& corner = model.shells.thickness[element];
         // Corners that the deck leaves empty have the thickness of the first.
@@ -24,7 +44,7 @@ double shell_thickness(const Model& model, Index element)
         for (double value : corner) sum += value > 0 ? value : corner[0];
         return 0.25 * sum;
     }
-    const Record& section = model.sections[model.parts[model.shells.part[element]].section];
+    const Record& section = shell_section(model, model.parts[model.shells.part[element]]);
     const double first = section.real("T1");
     double sum = 0;
     for (const char* name : {"T1", "T2", "T3", "T4"}) {
@@ -42,8 +62,11 @@ ShellMass shell_mass(const Model& model, Index element)
     ShellMass result;
     result.area = 0.5 * norm(cross(at(2) - at(0), at(3) - at(1)));
     result.thickness = shell_thickness(model, element);
-    const double per_area = model.materials[part.material].real("RO") * result.thickness +
-                            model.sections[part.section].real("MAREA");
+    double per_area = shell_section(model, part).real("MAREA");
+    const auto layers = shell_layers(model, element);
+    for (const Layer& layer : layers)
+        per_area += model.materials[layer.material].real("RO") * layer.thickness;
+    if (layers.empty()) per_area += model.materials[part.material].real("RO") * result.thickness;
     const bool triangle = nodes[2] == nodes[3];
     for (int corner = 0; corner < (triangle ? 3 : 4); ++corner) {
         result.corner_mass[corner] = per_area * result.area / (triangle ? 3 : 4);

@@ -3,6 +3,7 @@
 #include "model/model.h"
 
 #include <array>
+#include <span>
 
 namespace plash {
 
@@ -17,8 +18,15 @@ struct ShellMass {
 /// Corners of an element in the order that the elements use: a triangle repeats its third node last.
 std::array<Index, 4> shell_corners(const Model& model, Index element);
 
-/// Thickness of an element: mean of its own corner thicknesses (*ELEMENT_SHELL_THICKNESS) or of T1..T4 of its
-/// section [length].
+/// Plies of an element: its own (_COMPOSITE), else those of its part (*PART_COMPOSITE), else none.
+std::span<const Layer> shell_layers(const Model& model, Index element);
+
+/// *SECTION_SHELL of a part, or its *PART_COMPOSITE, which names formulation, shear factor and offset alike.
+/// DeckError when there is neither.
+const Record& shell_section(const Model& model, const Part& part);
+
+/// Thickness of an element: sum of its plies, or mean of its own corner thicknesses
+/// (*ELEMENT_SHELL_THICKNESS) or of T1..T4 of its section [length].
 double shell_thickness(const Model& model, Index element);
 
 /// Lumped mass of an element: equal shares of density x area x thickness (plus the section's MAREA). Rotary

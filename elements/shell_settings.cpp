@@ -1,5 +1,6 @@
 #include "elements/shell_settings.h"
 
+#include "elements/shell_mass.h"
 #include "materials/parameters.h"
 
 #include <cmath>
@@ -10,7 +11,7 @@ namespace plash {
 
 namespace {
 
-void read_section(const Record& section, ShellSettings& settings)
+void read_section(const Record& section, bool laminate, ShellSettings& settings)
 {
     const Id points = section.integer("NIP") == 0 ? 2 : section.integer("NIP");
     if (points < 1 || points > 10) {
@@ -21,14 +22,37 @@ void read_section(const Record& section, ShellSettings& settings)
         reject_field(section, "QR/IRID",
                      fmt::format("integration rule {} is not supported (0: Gauss, 1: trapezoidal)", rule));
     }
-    if (section.integer("ICOMP") != 0) {
-        reject_field(section, "ICOMP", "layers with their own material angles are not supported");
+    if (section.integer("ICOMP") != 0 && !laminate) {
+        reject_field(section, "ICOMP", "angles of layers say nothing to an isotropic material");
     }
     settings.rule = rule == 1 && points > 1 ? trapezoidal_rule(static_cast<int>(points))
                                             : gauss_rule(static_cast<int>(points));
     settings.shear_factor = section.real("SHRF", 1.0);
     if (settings.shear_factor == 0) settings.shear_factor = 1; // empty field
     settings.reference_offset = section.real("NLOC");
+    const Id formulation = section.integer("ELFORM", 2);
+    if (formulation == 1 || formulation == 10 || formulation == 11) settings.warping = true;
+    if (formulation == 5 || formulation == 9) {
+        settings.membrane = true;
+        settings.rule = gauss_rule(1);
+        settings.shear_factor = 0;
+        settings.reference_offset = 0;
+    }
+}
+
+/// What runs in place of formulations that Plash does not have.
+std::string stand_in(const Part& part, Id formulation)
+{
+    if (formulation == 1 || formulation == 11) {
+        return fmt::format(
+            "part {}: shells of ELFORM {} (Hughes-Liu) run as ELFORM 10 (Belytschko-Wong-Chiang)", part.id,
+            formulation);
+    }
+    if (formulation == 6 || formulation == 7) {
+        return fmt::format("part {}: shells of ELFORM {} (selectively reduced Hughes-Liu) run as ELFORM 16",
+                           part.id, formulation);
+    }
+    return {};
 }
 
 ShellHourglass read_hourglass(const Model& model, const Part& part)
@@ -44,9 +68,12 @@ ShellHourglass read_hourglass(const Model& model, const Part& part)
         if (result.membrane == 0) result.membrane = 0.1;
         result.bending = record.given("QB/VDC") ? record.real("QB/VDC") : result.membrane;
         result.warping = record.given("QW") ? record.real("QW") : result.membrane;
-        if (type < 0 || type > 5) {
-            reject_field(record, "IHQ",
-                         fmt::format("hourglass control {} is not supported for shells (1 to 5)", type));
+        const bool full_warping = type == 8; // of fully integrated shells, which always have it
+        if ((type < 0 || type > 5) && !full_warping) {
+            reject_field(
+                record, "IHQ",
+                fmt::format("hourglass control {} is not supported for shells (1 to 5, and 8 for ELFORM 16)",
+                            type));
         }
     }
     // Types 6 and above in *CONTROL_HOURGLASS speak of solids; shells then keep the stiffness form.
@@ -95,18 +122,18 @@ ThicknessRule trapezoidal_rule(int points)
 }
 
 ShellSettings shell_settings(const Model& model, Index part_index, double density, double young_modulus,
-                             double poisson_ratio)
+                             double poisson_ratio, bool laminate)
 {
     const Part& part = model.parts[part_index];
     const ElementControls& controls = model.controls.elements;
     ShellSettings settings;
-    if (part.section == none) {
-        throw DeckError(part.where, fmt::format("*PART {} has shells but no *SECTION_SHELL", part.id));
-    }
-    read_section(model.sections[part.section], settings);
+    const Record& section = shell_section(model, part);
+    read_section(section, laminate, settings);
+    settings.notice = stand_in(part, section.integer("ELFORM", 2));
     settings.hourglass = read_hourglass(model, part);
+    if (settings.membrane) settings.hourglass.bending = settings.hourglass.warping = 0;
     settings.thickness_change = controls.thickness_change == 1;
-    settings.warping = controls.warping == 1;
+    settings.warping = settings.warping || controls.warping == 1;
     settings.length_rule = model.controls.time.shell_length_rule;
     settings.density = density;
     settings.poisson_ratio = poisson_ratio;

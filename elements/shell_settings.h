@@ -12,8 +12,9 @@ ThicknessRule trapezoidal_rule(int points);
 
 /// Reads and checks what *SECTION_SHELL, *HOURGLASS and the controls say for the shells of a part.
 /// young_modulus, poisson_ratio  of its law
+/// laminate  the points are plies, which bring place, weight and angle of their own
 /// Throws a DeckError that names keyword and field for what is not supported.
 ShellSettings shell_settings(const Model& model, Index part, double density, double young_modulus,
-                             double poisson_ratio);
+                             double poisson_ratio, bool laminate = false);
 
 } // namespace plash

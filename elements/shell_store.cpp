@@ -92,6 +92,7 @@ ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings i
       part(its.part),
       settings(std::move(its_settings)),
       patches(cut_shells(its, state)),
+      section_watch(model, &CrossSection::shells, model.shells.size(), patches),
       sums(patches.patches.size()),
       plane_points_(plane_points),
       point_size_(shell_record::history + static_cast<int>(initial_history.size())),
@@ -224,6 +225,8 @@ void ShellStore::check_finite() const
 
 void ShellStore::collect(const State& state, ElementResults& results) const
 {
+    if (results.steps_wanted) collect_steps(state, results);
+    section_watch.collect(patches, state, results);
     for (Index batch = 0; batch < patches.batch_count(); ++batch) {
         for (int lane = 0; lane < patches.active_lanes(batch); ++lane) {
             collect_element(state, batch, lane, results);
@@ -231,6 +234,28 @@ void ShellStore::collect(const State& state, ElementResults& results) const
         }
     }
     if (!results.part_motion.empty()) results.part_motion[part].eroded_internal += eroded_internal_;
+}
+
+std::pair<double, double> ShellStore::place_of(Index batch, int lane, int point) const
+{
+    if (ply_place == none) {
+        return {settings.rule.place[point] - settings.reference_offset, settings.rule.weight[point]};
+    }
+    const Lanes* values = record(batch) + shell_record::points + point * point_size_ + shell_record::history;
+    return {values[ply_place][lane], values[ply_weight][lane]};
+}
+
+void ShellStore::collect_steps(const State& state, ElementResults& results) const
+{
+    for (Index batch = 0; batch < patches.batch_count(); ++batch) {
+        for (int lane = 0; lane < patches.active_lanes(batch); ++lane) {
+            const Index element = patches.elements[batch * lane_count + lane];
+            const double factor = record(batch)[shell_record::mass_factor][lane];
+            const double length = squared_length_of(model, state, element, settings.length_rule);
+            results.steps.push_back({"shell", model.shells.id[element], model.parts[part].id,
+                                     std::sqrt(factor * length) / settings.wave_speed});
+        }
+    }
 }
 
 void ShellStore::collect_element(const State& state, Index batch, int lane, ElementResults& results) const
@@ -283,8 +308,9 @@ void ShellStore::collect_element(const State& state, Index batch, int lane, Elem
     ShellResultants<double> sum;
     const double thickness_now = values[thickness][lane];
     for (int point = 0; point < settings.rule.size(); ++point) {
-        const double z = 0.5 * thickness_now * (settings.rule.place[point] - settings.reference_offset);
-        const double force = settings.rule.weight[point] * thickness_now;
+        const auto [place, weight] = place_of(batch, lane, point);
+        const double z = 0.5 * thickness_now * place;
+        const double force = weight * thickness_now;
         sum.nxx += force * point_value(point, stress_xx);
         sum.nyy += force * point_value(point, stress_yy);
         sum.nxy += force * point_value(point, stress_xy);

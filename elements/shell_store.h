@@ -4,6 +4,7 @@
 #include "core/results.h"
 #include "core/term.h"
 #include "elements/patches.h"
+#include "elements/section_watch.h"
 #include "elements/shell_kernel.h"
 #include "model/model.h"
 
@@ -29,6 +30,8 @@ public:
         double squared_length = 0; ///< smallest of the patch [length^2]
         Index place = 0;           ///< of that element: batch x lane_count + lane
         std::vector<Index> lost;   ///< places of elements that go at the end of this cycle
+
+        void serialise(Archive& archive) { archive(internal, hourglass, viscous); }
     };
 
     /// plane_points     columns of points that an element has
@@ -41,6 +44,7 @@ public:
     Index part;
     ShellSettings settings;
     Patches patches;
+    SectionWatch section_watch;
     std::vector<PatchSums> sums; ///< by patch
 
     Lanes* record(Index batch) { return records_.data() + static_cast<std::size_t>(batch) * record_size_; }
@@ -61,7 +65,14 @@ public:
 
     StepVote vote() const;
     void report(EnergyLedger& ledger) const;
+    void serialise(Archive& archive) { archive(records_, sums, eroded_internal_, eroded_hourglass_); }
     void collect(const State& state, ElementResults& results) const;
+
+    int plane_points() const { return plane_points_; }
+    /// Place and weight of a point through the thickness: of the rule, or of the plies in the record.
+    std::pair<double, double> place_of(Index batch, int lane, int point) const;
+    /// Which variables of a point hold place and weight of its ply; none: there are no plies.
+    Index ply_place = none, ply_weight = none;
 
 private:
     double eroded_internal_ = 0, eroded_hourglass_ = 0; ///< [energy]
@@ -75,6 +86,7 @@ private:
     void check_finite() const;
     /// Adds an element's mass and rotary inertia times `factor`; returns the mass.
     double add_mass(Index element, double factor, State& state) const;
+    void collect_steps(const State& state, ElementResults& results) const;
     void collect_element(const State& state, Index batch, int lane, ElementResults& results) const;
     void collect_motion(const State& state, Index batch, int lane, ElementResults& results) const;
 };

@@ -35,6 +35,7 @@ SolidGroup::SolidGroup(SolidSetup setup, const State& state, int history_size, i
     : setup_(std::move(setup)),
       patches_(8, setup_.elements, setup_.connectivity, state.position,
                patch_length_of(setup_.elements.size())),
+      section_watch_(setup_.model, &CrossSection::solids, setup_.model.solids.size(), patches_),
       sums_(patches_.patches.size()),
       name_(fmt::format("solids of part {}", setup_.model.parts[setup_.part].id)),
       history_size_(history_size),
@@ -42,7 +43,14 @@ SolidGroup::SolidGroup(SolidSetup setup, const State& state, int history_size, i
       plastic_strain_(plastic_strain_place),
       history_(static_cast<std::size_t>(patches_.batch_count()) * history_size),
       constants_(static_cast<std::size_t>(patches_.batch_count()) * constant_count)
-{}
+{
+    const Model& model = setup_.model;
+    const Index material = model.parts[setup_.part].material;
+    if (material == none) return;
+    if (const auto criteria = erosion_criteria(model, model.materials[material])) {
+        erosion_.emplace(*criteria, patches_.batch_count());
+    }
+}
 
 template <class Work>
 void SolidGroup::for_each_element(Work&& work) const
@@ -81,8 +89,10 @@ std::string SolidGroup::describe(std::size_t place, const std::vector<Vec3>& pos
                        centre.z);
 }
 
-void SolidGroup::start_batch(Index batch, const Lanes& volume, const State& state)
+void SolidGroup::start_batch(Index batch, const Lanes& volume, const SolidModes<Lanes>& position,
+                             const State& state)
 {
+    if (erosion_) erosion_->start(batch, position);
     for (int lane = 0; lane < lane_count; ++lane) {
         if (volume[lane] > 0) continue;
         const std::size_t place = static_cast<std::size_t>(batch) * lane_count + lane;
@@ -156,18 +166,22 @@ double SolidGroup::scale_mass(double step, bool only_small, State& state)
     return added;
 }
 
-void SolidGroup::learn_smallest_step(const Clock& clock)
+void SolidGroup::start_cycle(const Clock& clock)
 {
+    time_ = clock.time;
+    last_step_ = clock.last_step;
     const TimeControls& control = setup_.model.controls.time;
     if (clock.cycle != 1 || !control.erode_small_step) return;
     smallest_step_ = control.smallest_step_factor * clock.last_step / control.step_scale;
 }
 
-void SolidGroup::take(Index batch, SolidResult<Lanes>& result, PatchSum& sum)
+void SolidGroup::take(Index batch, const SolidModes<Lanes>& position, SolidResult<Lanes>& result,
+                      PatchSum& sum)
 {
     SolidVote<Lanes>& vote = result.vote;
     if (!step_factor_.empty()) vote.stable_step *= step_factor_[batch];
     const LaneMask dead = alive_.empty() ? LaneMask{} : alive_[batch] == 0.0;
+    if (erosion_) vote.failed |= erosion_->lost(batch, position, history_of(batch), time_, last_step_);
     const LaneMask lost = (vote.inverted | vote.failed | (vote.stable_step < smallest_step_)) & ~dead;
     const LaneMask silent = dead | lost;
     if (any(silent)) silence(batch, dead, silent, result);
@@ -252,6 +266,12 @@ void SolidGroup::close_cycle(State& state)
                                                 setup_.model.solids.id[element_of(smallest.place)], part.id};
 }
 
+std::vector<std::string> SolidGroup::notices(const State&) const
+{
+    if (setup_.notice.empty()) return {};
+    return {setup_.notice};
+}
+
 void SolidGroup::report(EnergyLedger& ledger) const
 {
     ledger.add_part(setup_.part, internal_, hourglass_);
@@ -260,12 +280,23 @@ void SolidGroup::report(EnergyLedger& ledger) const
     ledger.eroded_hourglass += eroded_hourglass_;
 }
 
+void SolidGroup::serialise(Archive& archive)
+{
+    archive(smallest_step_, history_, alive_, viscous_, eroded_internal_, eroded_hourglass_);
+}
+
 void SolidGroup::collect(const State& state, ElementResults& results) const
 {
+    section_watch_.collect(patches_, state, results);
     if (!results.part_motion.empty()) results.part_motion[setup_.part].eroded_internal += eroded_internal_;
     for_each_element([&](const Patches::Patch& patch, std::size_t place) {
         const Lanes* history = &history_[place / lane_count * history_size_];
         const int lane = static_cast<int>(place % lane_count);
+        if (results.steps_wanted) {
+            const double factor = step_factor_.empty() ? 1 : step_factor_[place / lane_count][lane];
+            results.steps.push_back({"solid", setup_.model.solids.id[element_of(place)],
+                                     setup_.model.parts[setup_.part].id, factor * first_step_[place]});
+        }
         const Index row = results.row_of_solid(static_cast<Index>(element_of(place)));
         const bool wanted = row != none;
         if (wanted && !results.solid_stress.empty()) {

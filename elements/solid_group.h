@@ -1,12 +1,16 @@
 #pragma once
 
 #include "core/term.h"
+#include "elements/erosion.h"
 #include "elements/patches.h"
+#include "elements/section_watch.h"
+#include "elements/solid_eight_step.h"
 #include "elements/solid_step.h"
 #include "model/model.h"
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,12 +20,15 @@ namespace plash {
 struct SolidSetup {
     const Model& model;
     Index part = none;
-    std::vector<Index> elements;     ///< of the Model
-    std::vector<Index> connectivity; ///< eight State indices an element; degenerate shapes repeat nodes
+    std::vector<Index> elements;       ///< of the Model
+    std::vector<Index> connectivity{}; ///< eight State indices an element; degenerate shapes repeat nodes
     SolidGradientRule rule = SolidGradientRule::centre;
-    SolidParameters parameters;
-    double initial_relative_volume = 1; ///< volume at the start over reference volume
-    bool erode_inverted = false;        ///< delete elements without volume instead of stopping the run
+    SolidParameters parameters{};
+    double initial_relative_volume = 1;  ///< volume at the start over reference volume
+    bool eight_points = false;           ///< fully integrated (elements/solid_eight_point.h)
+    SolidShear shear = SolidShear::full; ///< of fully integrated elements
+    std::string notice{};                ///< what the user should know of the formulation; empty: nothing
+    bool erode_inverted = false;         ///< delete elements without volume instead of stopping the run
 };
 
 /// Everything of a group of one-point solids that does not depend on the material: elements, history,
@@ -32,7 +39,9 @@ public:
     std::size_t items() const override { return static_cast<std::size_t>(patches_.element_count); }
     StepVote stable_step() const override { return vote_; }
     double scale_mass(double step, bool only_small, State&) override;
+    std::vector<std::string> notices(const State&) const override;
     void report(EnergyLedger&) const override;
+    void serialise(Archive&) override;
     void collect(const State&, ElementResults&) const override;
 
     Index part() const { return setup_.part; }
@@ -60,34 +69,37 @@ protected:
     /// Positions of a batch as modes.
     SolidModes<Lanes> start_position(const Patches::Patch&, Index batch, const State&) const;
     /// Sets volume and mass of a batch at the start; DeckError when a volume is not positive.
-    void start_batch(Index batch, const Lanes& volume, const State& state);
+    void start_batch(Index batch, const Lanes& volume, const SolidModes<Lanes>& position, const State& state);
     /// Adds the elements' masses to their corners and keeps their first stable steps, batch x lane.
     void finish_start(std::vector<double> first_step, State& state);
 
-    /// With *CONTROL_TIMESTEP ERODE, elements are deleted whose step falls below DTMIN times the first step
-    /// of the run, which is known in cycle 1.
-    void learn_smallest_step(const Clock&);
+    /// To be called before the patches of a cycle. With *CONTROL_TIMESTEP ERODE, elements are deleted whose
+    /// step falls below DTMIN times the first step of the run, which is known in cycle 1.
+    void start_cycle(const Clock&);
     /// Takes what a batch has to say into the patch's sum; zeroes the forces of elements that are deleted or
     /// lost in this cycle.
-    void take(Index batch, SolidResult<Lanes>& result, PatchSum& sum);
+    void take(Index batch, const SolidModes<Lanes>& position, SolidResult<Lanes>& result, PatchSum& sum);
     /// Takes the patch sums into the group; deletes elements, or throws RunError.
     void close_cycle(State&);
 
     SolidSetup setup_;
     Patches patches_;
+    SectionWatch section_watch_;
     std::vector<PatchSum> sums_; ///< by patch
 
 private:
     using LaneArray = std::vector<Lanes, CacheAligned<Lanes>>;
     std::string name_;
     int history_size_, constant_count_;
-    int plastic_strain_;             ///< which history variable, or -1
-    double smallest_step_ = 0;       ///< elements below it are deleted [time]
-    LaneArray history_;              ///< batch x variable
-    LaneArray constants_;            ///< batch x constant
-    std::vector<double> first_step_; ///< batch x lane, at the start
-    LaneArray step_factor_;          ///< by batch: what mass scaling gains; empty without
-    LaneArray alive_;                ///< by batch: 1, or 0 when deleted; empty while none is
+    int plastic_strain_;                  ///< which history variable, or -1
+    std::optional<SolidErosion> erosion_; ///< *MAT_ADD_EROSION
+    double time_ = 0, last_step_ = 0;     ///< of the cycle [time]
+    double smallest_step_ = 0;            ///< elements below it are deleted [time]
+    LaneArray history_;                   ///< batch x variable
+    LaneArray constants_;                 ///< batch x constant
+    std::vector<double> first_step_;      ///< batch x lane, at the start
+    LaneArray step_factor_;               ///< by batch: what mass scaling gains; empty without
+    LaneArray alive_;                     ///< by batch: 1, or 0 when deleted; empty while none is
     StepVote vote_;
     double internal_ = 0, hourglass_ = 0, viscous_ = 0;
     double eroded_internal_ = 0, eroded_hourglass_ = 0;

@@ -1,6 +1,7 @@
 #include "elements/solid_groups.h"
 
 #include "elements/solid_laws.h"
+#include "model/eulerian.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -20,7 +21,12 @@ constexpr struct {
     {"MAT_PLASTIC_KINEMATIC", make_plastic_kinematic_solids},
     {"MAT_NULL", make_null_solids},
     {"MAT_PIECEWISE_LINEAR_PLASTICITY", make_piecewise_linear_solids},
+    {"MAT_ISOTROPIC_ELASTIC_PLASTIC", make_piecewise_linear_solids},
+    {"MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", make_piecewise_linear_solids},
+    {"MAT_POWER_LAW_PLASTICITY", make_piecewise_linear_solids},
+    {"MAT_SIMPLIFIED_JOHNSON_COOK", make_piecewise_linear_solids},
     {"MAT_MOONEY-RIVLIN_RUBBER", make_rubber_solids},
+    {"MAT_CRUSHABLE_FOAM", make_crushable_foam_solids},
 };
 
 /// Shapes that need a group of their own.
@@ -81,6 +87,8 @@ void set_viscosities(const Model& model, const Part& part, SolidSetup& setup)
         viscosity.quadratic = value_or(control.quadratic_viscosity, 1.5);
         viscosity.linear = value_or(control.linear_viscosity, 0.06);
     }
+    // Type 8 speaks of fully integrated shells, and fully integrated solids have no hourglass modes.
+    if (setup.eight_points || (type == 8 && !record)) type = 1;
     if (type < 0 || type > 6) {
         const std::string name = record ? fmt::format("*HOURGLASS {}", record->id) : "*CONTROL_HOURGLASS";
         throw DeckError(
@@ -110,7 +118,8 @@ void adapt_to_shape(Shape shape, SolidSetup& setup)
     setup.parameters.length_factor = 3;
 }
 
-void check_formulation(const Model& model, const Part& part, bool only_tetrahedra)
+/// ELFORM of a part; DeckError for one that is not supported.
+Id formulation_of(const Model& model, const Part& part, bool only_tetrahedra)
 {
     if (part.section == none) {
         throw DeckError(part.where, fmt::format("*PART {} has solids but no section", part.id));
@@ -122,12 +131,14 @@ void check_formulation(const Model& model, const Part& part, bool only_tetrahedr
                                                 part.id, section.id, section.keyword));
     }
     const Id formulation = section.integer("ELFORM", 1);
-    if (formulation == 0 || formulation == 1 || (formulation == 10 && only_tetrahedra)) return;
+    if (formulation == 0) return 1;
+    if (formulation >= -2 && formulation <= 3) return formulation;
+    if (formulation == 10 && only_tetrahedra) return formulation;
     throw DeckError(
         section.where,
         fmt::format("*SECTION_SOLID {}, field ELFORM: formulation {} is not supported for part {}; "
-                    "there are 1 (one-point hexahedron, wedge, tetrahedron) and 10 (one-point "
-                    "tetrahedron, for parts of tetrahedra only)",
+                    "there are 1 (one-point hexahedron, wedge, tetrahedron), 2, -1, -2 (fully integrated "
+                    "hexahedron), 3 (run as -1) and 10 (one-point tetrahedron, for parts of tetrahedra only)",
                     section.id, formulation, part.id));
 }
 
@@ -142,7 +153,7 @@ void add_part(const Model& model, Index part_index, const std::vector<Index>& el
 {
     const Part& part = model.parts[part_index];
     const Record& material = material_of(model, part);
-    if (material.keyword == "MAT_RIGID") return;
+    if (model.is_rigid(part_index)) return;
     const auto* law = std::find_if(std::begin(laws), std::end(laws),
                                    [&](const auto& entry) { return entry.keyword == material.keyword; });
     if (law == std::end(laws)) {
@@ -154,21 +165,33 @@ void add_part(const Model& model, Index part_index, const std::vector<Index>& el
     }
     std::vector<Index> by_shape[3];
     for (Index element : elements) by_shape[static_cast<int>(shape_of(model, element))].push_back(element);
-    check_formulation(model, part, by_shape[static_cast<int>(Shape::tetrahedron)].size() == elements.size());
+    const Id formulation =
+        formulation_of(model, part, by_shape[static_cast<int>(Shape::tetrahedron)].size() == elements.size());
 
     const Record* equation_of_state =
         part.equation_of_state == none ? nullptr : &model.equations_of_state[part.equation_of_state];
     for (Shape shape : {Shape::hexahedron, Shape::collapsed, Shape::tetrahedron}) {
         std::vector<Index>& members = by_shape[static_cast<int>(shape)];
         if (members.empty()) continue;
-        SolidSetup setup{model, part_index, std::move(members), {}, {}, {}, 1, false};
+        SolidSetup setup{model, part_index, std::move(members)};
         for (Index element : setup.elements) {
             const Corners& nodes = model.solids.nodes[element];
             const Corners corners = shape == Shape::tetrahedron ? tetrahedron_of(nodes) : nodes;
             setup.connectivity.insert(setup.connectivity.end(), corners.begin(), corners.end());
         }
+        // Collapsed shapes have one point in every formulation, as with LS-DYNA's ESORT.
+        setup.eight_points = shape == Shape::hexahedron && formulation != 1;
+        setup.shear = formulation == -1 || formulation == 3 ? SolidShear::cancelled
+                      : formulation == -2                   ? SolidShear::scaled
+                                                            : SolidShear::full;
         set_viscosities(model, part, setup);
         adapt_to_shape(shape, setup);
+        if (formulation == 3 && shape == Shape::hexahedron) {
+            setup.notice =
+                fmt::format("part {}: solids of ELFORM 3 (quadratic with nodal rotations) run as ELFORM "
+                            "-1 (fully integrated, without shear locking)",
+                            part.id);
+        }
         // LS-DYNA deletes elements without volume only if both ERODE and DTMIN are set.
         setup.erode_inverted =
             model.controls.time.erode_small_step && model.controls.time.smallest_step_factor != 0;
@@ -186,7 +209,8 @@ std::vector<std::unique_ptr<SolidGroup>> make_solid_groups(const Model& model, S
     }
     std::vector<std::unique_ptr<SolidGroup>> groups;
     for (std::size_t part = 0; part < elements.size(); ++part) {
-        if (!elements[part].empty()) add_part(model, static_cast<Index>(part), elements[part], state, groups);
+        if (elements[part].empty() || is_eulerian(model, static_cast<Index>(part))) continue;
+        add_part(model, static_cast<Index>(part), elements[part], state, groups);
     }
     return groups;
 }

@@ -2,6 +2,7 @@
 #include "elements/solid_rate_group.h"
 #include "eos/gruneisen.h"
 #include "eos/linear_polynomial.h"
+#include "eos/tabulated.h"
 
 namespace plash {
 
@@ -11,7 +12,13 @@ template <class Eos>
 std::unique_ptr<SolidGroup> make_fluid(const NullFluid& fluid, const Record& equation_of_state,
                                        SolidSetup setup, State& state)
 {
-    FluidPoint<Eos> point{fluid, Eos::from_record(equation_of_state, fluid.density)};
+    FluidPoint<Eos> point{fluid, [&] {
+                              if constexpr (requires { Eos::from_record(equation_of_state, setup.model); }) {
+                                  return Eos::from_record(equation_of_state, setup.model);
+                              } else {
+                                  return Eos::from_record(equation_of_state, fluid.density);
+                              }
+                          }()};
     setup.initial_relative_volume = point.eos.relative_volume;
     return make_point_group(std::move(point), std::move(setup), state);
 }
@@ -42,9 +49,12 @@ std::unique_ptr<SolidGroup> make_null_solids(const Record& material, const Recor
     if (equation_of_state->keyword == "EOS_GRUNEISEN") {
         return make_fluid<Gruneisen>(fluid, *equation_of_state, std::move(setup), state);
     }
+    if (equation_of_state->keyword == "EOS_TABULATED") {
+        return make_fluid<Tabulated>(fluid, *equation_of_state, std::move(setup), state);
+    }
     throw DeckError(equation_of_state->where,
                     fmt::format("*{} {} is not supported for the solids of part {}; there are "
-                                "EOS_LINEAR_POLYNOMIAL and EOS_GRUNEISEN",
+                                "EOS_LINEAR_POLYNOMIAL, EOS_GRUNEISEN and EOS_TABULATED",
                                 equation_of_state->keyword, equation_of_state->id, part.id));
 }
 

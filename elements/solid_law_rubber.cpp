@@ -7,6 +7,12 @@ std::unique_ptr<SolidGroup> make_rubber_solids(const Record& material, const Rec
                                                SolidSetup setup, State& state)
 {
     refuse_equation_of_state(material, equation_of_state, setup);
+    if (setup.eight_points) {
+        const Part& part = setup.model.parts[setup.part];
+        throw DeckError(part.where, fmt::format("*PART {}: *{} is not supported with fully integrated solids "
+                                                "(ELFORM 2, -1, -2); ELFORM 1 is",
+                                                part.id, material.keyword));
+    }
     const MooneyRivlin law = MooneyRivlin::from_record(material, setup.model);
     setup.parameters.density = law.density;
     setup.parameters.hourglass.shear_modulus = law.shear_modulus();

@@ -17,6 +17,7 @@ std::unique_ptr<SolidGroup> make_elastic_solids(const Record&, const Record*, So
 std::unique_ptr<SolidGroup> make_plastic_kinematic_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_null_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_piecewise_linear_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_crushable_foam_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_rubber_solids(const Record&, const Record*, SolidSetup, State&);
 
 } // namespace plash

@@ -29,7 +29,7 @@ public:
             }
             sums_[number] = std::move(sum);
         };
-        learn_smallest_step(clock);
+        start_cycle(clock);
         patches_.for_each(state, false, work);
         close_cycle(state);
     }
@@ -53,7 +53,7 @@ private:
         const SolidModes<Lanes> position = load(nodes.position), velocity = load(nodes.velocity);
         SolidResult<Lanes> result = solid_step<rule>(point_, setup_.parameters, position, velocity, time_step,
                                                      history_of(batch), constants_of(batch));
-        take(batch, result, sum);
+        take(batch, position, result, sum);
         const int active = patches_.active_lanes(batch);
         for_corners(result.force, [&](int corner, const Vector3<Lanes>& force) {
             add_corner(nodes.force.data(), patches_.corner_offsets(batch, corner), force, active);
@@ -67,7 +67,7 @@ private:
         for (const Patches::Patch& patch : patches_.patches) {
             for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
                 const SolidModes<Lanes> position = start_position(patch, batch, state);
-                start_batch(batch, gradient_of<rule>(position).volume, state);
+                start_batch(batch, gradient_of<rule>(position).volume, position, state);
                 Lanes* history = history_of(batch);
                 point_.start(position, history, constants_of(batch));
                 std::array<Lanes, point_history + Point::history_size> trial;

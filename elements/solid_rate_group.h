@@ -1,5 +1,6 @@
 #pragma once
 
+#include "elements/solid_eight_point.h"
 #include "elements/solid_laws.h"
 #include "elements/solid_one_point.h"
 #include "elements/solid_points.h"
@@ -12,6 +13,10 @@ namespace plash {
 template <class Point>
 std::unique_ptr<SolidGroup> make_point_group(Point point, SolidSetup setup, State& state)
 {
+    if (setup.eight_points) {
+        const SolidShear shear = setup.shear;
+        return std::make_unique<SolidEightPoint<Point>>(std::move(point), shear, std::move(setup), state);
+    }
     if (setup.rule == SolidGradientRule::centre) {
         return std::make_unique<SolidOnePoint<Point, SolidGradientRule::centre>>(std::move(point),
                                                                                  std::move(setup), state);

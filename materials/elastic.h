@@ -63,6 +63,16 @@ struct Elastic {
         stress.zx += twice_shear * increment.zx;
         increment.zz = -poisson_ratio / (1 - poisson_ratio) * (increment.xx + increment.yy);
     }
+
+    /// One step at a batch of beam points; see materials/history.h.
+    template <class Lane>
+    void update_beam(Lane* stress, const Lane& axial, const Lane& rs, const Lane& tr, HistoryView<Lane>,
+                     double /*time_step*/) const
+    {
+        stress[0] += young_modulus * axial;
+        stress[1] += shear_modulus() * rs;
+        stress[2] += shear_modulus() * tr;
+    }
 };
 
 } // namespace plash

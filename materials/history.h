@@ -11,6 +11,9 @@ namespace plash {
 ///   update(stress, increment, history, time_step)               one step of solid points
 ///   update_plane_stress(stress, increment, history, time_step)  one step of shell points: stress.zz stays
 ///                                         zero and increment.zz comes back as the thickness strain
+///   update_beam(stress, axial, rs, tr, history, time_step)      one step of beam points: axial and two shear
+///                                         stresses, the others zero; engineering shear strains. Only laws
+///                                         that beams can have
 /// and, only if it has any use for them:
 ///   plastic_strain                        which history variable is the effective plastic strain
 ///   rotate_history(history, rotation)     turns tensors in the history (back stress) with the material

@@ -1,5 +1,6 @@
 #include "materials/piecewise_linear_plasticity.h"
 
+#include "materials/flow_laws.h"
 #include "materials/parameters.h"
 
 #include <algorithm>
@@ -102,6 +103,10 @@ void read_rate(const Record& record, const Model& model, PiecewiseLinearPlastici
 
 PiecewiseLinearPlasticity PiecewiseLinearPlasticity::from_record(const Record& record, const Model& model)
 {
+    if (is_flow_law(record.keyword)) return read_flow_law(record, model);
+    for (const char* field : {"EPSTHIN", "EPSMAJ", "NUMINT"}) { // of *MAT_123
+        if (record.real(field) != 0) reject_field(record, field, "this failure criterion is not supported");
+    }
     PiecewiseLinearPlasticity law;
     law.density = positive(record, "RO", "mass density");
     law.young_modulus = positive(record, "E", "Young's modulus");

@@ -96,6 +96,21 @@ struct PiecewiseLinearPlasticity {
         return_plane_stress(stress, increment, history, time_step);
     }
 
+    /// One step at a batch of beam points; see materials/history.h.
+    template <class Lane>
+    void update_beam(Lane* stress, const Lane& axial, const Lane& rs, const Lane& tr,
+                     HistoryView<Lane> history, double time_step) const
+    {
+        stress[0] += young_modulus * axial;
+        stress[1] += shear_modulus() * rs;
+        stress[2] += shear_modulus() * tr;
+        const Lane squared = stress[0] * stress[0] + 3.0 * (stress[1] * stress[1] + stress[2] * stress[2]);
+        const auto yielding = squared > history[yield_bound] * history[yield_bound];
+        if (!any(yielding)) return;
+        // Plastic flow keeps the volume: both lateral strains are half the axial one.
+        return_beam(stress, 1.5 * axial * axial + 0.5 * (rs * rs + tr * tr), history, time_step);
+    }
+
 private:
     template <class Lane>
     struct Yield {
@@ -211,6 +226,46 @@ private:
         const Lane factor = yielding ? triple_shear * plastic / trial : Lane{};
         stress = stress - factor * deviatoric;
         finish(stress, yielding, plastic, trial - triple_shear * plastic, history);
+    }
+
+    /// With the multiplier g the axial stress falls by 1 / (1 + 2/3 E g), shears by 1 / (1 + 2 G g): the form
+    /// of Simo & Taylor for a stress with one normal component.
+    template <class Lane>
+    [[gnu::noinline]] void return_beam(Lane* stress, Lane strain_square, HistoryView<Lane> history,
+                                       double time_step) const
+    {
+        const double axial_rate = 2 * young_modulus / 3, shear_rate = 2 * shear_modulus();
+        const Lane old_strain = history[plastic_strain];
+        const Lane axial_share = stress[0] * stress[0];
+        const Lane shear_share = 3.0 * (stress[1] * stress[1] + stress[2] * stress[2]);
+        const RateOfStep<Lane> step_rate = rate_of_step(strain_square, time_step);
+        const auto at = [&](Lane g) {
+            const Lane shrink = 1.0 / (1.0 + axial_rate * g), shrink_shear = 1.0 / (1.0 + shear_rate * g);
+            const Lane by_axial = axial_share * shrink * shrink;
+            const Lane by_shear = shear_share * shrink_shear * shrink_shear;
+            const Lane square = by_axial + by_shear, equivalent = sqrt(square);
+            const Lane fall = axial_rate * by_axial * shrink + shear_rate * by_shear * shrink_shear;
+            const Lane plastic = (2.0 / 3) * g * equivalent;
+            const Yield<Lane> now = yield<Lane>(old_strain + plastic, plastic, step_rate, time_step);
+            return ReturnPoint<Lane>{equivalent, -fall,    plastic, (2.0 / 3) * (square - g * fall),
+                                     now.stress, now.slope};
+        };
+        const ReturnPoint<Lane> first = at(Lane{});
+        const MaskOf<Lane> yielding = (first.equivalent > first.yield) & MaskOf<Lane>(!failed(history));
+        const Lane start = starts_at_rest() ? return_step(first)
+                                            : 1.5 * first_increment(first, 1.5 * shear_rate, time_step) /
+                                                  max(first.equivalent, broadcast<Lane>(1e-300));
+        const Lane multiplier = return_parameter<Lane>(yielding, start, at);
+        const Lane shrink = 1.0 / (1.0 + axial_rate * multiplier);
+        const Lane shrink_shear = 1.0 / (1.0 + shear_rate * multiplier);
+        SymmetricTensor<Lane> now{shrink * stress[0],       Lane{}, Lane{},
+                                  shrink_shear * stress[1], Lane{}, shrink_shear * stress[2]};
+        const Lane equivalent =
+            sqrt(axial_share * shrink * shrink + shear_share * shrink_shear * shrink_shear);
+        finish(now, yielding, (2.0 / 3) * multiplier * equivalent, equivalent, history);
+        stress[0] = now.xx;
+        stress[1] = now.xy;
+        stress[2] = now.zx;
     }
 
     /// Simo & Taylor: with the multiplier g, sums of normal stresses fall by 1 / (1 + g E / (3 (1 - nu))),

@@ -148,6 +148,49 @@ struct PlasticKinematic : PlasticKinematicParameters {
         increment.zz = -poisson_ratio / young_modulus * (stress.xx + stress.yy - sum_before) + plastic_zz;
     }
 
+    /// One step at a batch of beam points; see materials/history.h. The axial stress takes the place of the
+    /// slow mode of plane stress, with the rate 2/3 E.
+    template <class Lane>
+    void update_beam(Lane* stress, const Lane& axial, const Lane& rs, const Lane& tr,
+                     HistoryView<Lane> history, double time_step) const
+    {
+        const double shear = young_modulus / (2 * (1 + poisson_ratio));
+        Lane center[3] = {};
+        if constexpr (with_back_stress) {
+            const SymmetricTensor<Lane> back = back_stress_of(history);
+            center[0] = 1.5 * back.xx;
+            center[1] = back.xy;
+            center[2] = back.zx;
+        }
+        const Lane elastic[3] = {young_modulus * axial, shear * rs, shear * tr};
+        Lane relative[3];
+        for (int i = 0; i < 3; ++i) relative[i] = stress[i] + elastic[i] - center[i];
+        const SymmetricTensor<Lane> strain{axial, -0.5 * axial, -0.5 * axial, 0.5 * rs, Lane{}, 0.5 * tr};
+        const Lane scale = rate_factor(strain, time_step);
+        const Lane yield = scale * (yield_stress + isotropic_modulus() * history[plastic_strain]);
+        const double shift_rate = 2.0 / 3 * kinematic_modulus();
+        const PlaneStressPath<Lane> path(2 * young_modulus / 3 + shift_rate, 2 * shear + shift_rate,
+                                         relative[0] * relative[0],
+                                         3.0 * (relative[1] * relative[1] + relative[2] * relative[2]));
+        const Lane m = viscoplastic ? viscous_multiplier(path.slow_square, path.fast_square, path.slow,
+                                                         path.fast, yield, time_step)
+                                    : path.multiplier(yield, scale * isotropic_modulus());
+        const Lane u = 1.0 / (1.0 + path.slow * m), w = 1.0 / (1.0 + path.fast * m);
+        history[plastic_strain] += (2.0 / 3) * m * sqrt(path.slow_square * u * u + path.fast_square * w * w);
+        relative[0] *= u;
+        relative[1] *= w;
+        relative[2] *= w;
+        if constexpr (with_back_stress) {
+            const Lane shift = shift_rate * m;
+            store(history, back_stress_of(history) +
+                               shift * SymmetricTensor<Lane>{
+                                           (2.0 / 3) * relative[0], (-1.0 / 3) * relative[0],
+                                           (-1.0 / 3) * relative[0], relative[1], Lane{}, relative[2]});
+            for (int i = 0; i < 3; ++i) center[i] += shift * relative[i];
+        }
+        for (int i = 0; i < 3; ++i) stress[i] = relative[i] + center[i];
+    }
+
 private:
     double isotropic_modulus() const { return with_back_stress ? beta * plastic_modulus : plastic_modulus; }
     double kinematic_modulus() const { return with_back_stress ? (1 - beta) * plastic_modulus : 0; }

@@ -65,6 +65,11 @@ struct PlaneStressPath {
             3.0 * (relative.xy * relative.xy + relative.yz * relative.yz + relative.zx * relative.zx);
     }
 
+    /// From the squares of the equivalent stress in the two modes and how fast they shrink.
+    PlaneStressPath(double slow_rate, double fast_rate, const Lane& slow_part, const Lane& fast_part)
+        : slow(slow_rate), fast(fast_rate), slow_square(slow_part), fast_square(fast_part)
+    {}
+
     /// Multiplier that brings q to the yield stress at the end of the step; zero inside the surface.
     /// yield      yield stress at the start of the step
     /// isotropic  its growth with effective plastic strain [stress]

@@ -6,8 +6,8 @@
 
 namespace plash {
 
-/// Memory on cache-line boundaries; long arrays stand on huge pages where the system has them, since streaming
-/// through hundreds of megabytes is otherwise held up by address translation.
+/// Memory on cache-line boundaries; long arrays stand on huge pages where the system has them, since
+/// streaming through hundreds of megabytes is otherwise held up by address translation.
 void* allocate_aligned(std::size_t bytes);
 void free_aligned(void* memory, std::size_t bytes);
 
@@ -19,10 +19,7 @@ struct CacheAligned {
     template <class U>
     CacheAligned(const CacheAligned<U>&)
     {}
-    T* allocate(std::size_t count)
-    {
-        return static_cast<T*>(allocate_aligned(count * sizeof(T)));
-    }
+    T* allocate(std::size_t count) { return static_cast<T*>(allocate_aligned(count * sizeof(T))); }
     void deallocate(T* memory, std::size_t count) { free_aligned(memory, count * sizeof(T)); }
     bool operator==(const CacheAligned&) const { return true; }
 };

@@ -26,6 +26,20 @@ struct Tensor3 {
 };
 
 template <class T>
+inline Tensor3<T> operator+(const Tensor3<T>& a, const Tensor3<T>& b)
+{
+    return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yx + b.yx, a.yy + b.yy,
+            a.yz + b.yz, a.zx + b.zx, a.zy + b.zy, a.zz + b.zz};
+}
+
+template <class T>
+inline Tensor3<T> operator-(const Tensor3<T>& a, const Tensor3<T>& b)
+{
+    return {a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yx - b.yx, a.yy - b.yy,
+            a.yz - b.yz, a.zx - b.zx, a.zy - b.zy, a.zz - b.zz};
+}
+
+template <class T>
 inline Vector3<T> operator*(const Tensor3<T>& m, const Vector3<T>& a)
 {
     return {m.xx * a.x + m.xy * a.y + m.xz * a.z, m.yx * a.x + m.yy * a.y + m.yz * a.z,

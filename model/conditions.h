@@ -47,19 +47,26 @@ using FreedomMask = unsigned;
 struct FixedNodes {
     std::vector<Index> nodes;
     FreedomMask freedoms = 0;
+    Index system = none; ///< coordinate system of the freedoms; none: global, or `axes`
+    bool local = false;  ///< along `axes`
+    std::array<Vec3, 3> axes{};
     double birth = 0;       ///< [time]
     double death = forever; ///< [time]
     Location where;
 };
 
-/// *BOUNDARY_PRESCRIBED_MOTION: one degree of freedom of some nodes follows scale * curve(t).
+/// *BOUNDARY_PRESCRIBED_MOTION: one degree of freedom of some nodes follows scale * curve(t - birth).
 struct PrescribedMotion {
-    enum class Kind { velocity, acceleration, displacement };
+    /// The last one: velocity as a function of the displacement so far (VAD = 3).
+    enum class Kind { velocity, acceleration, displacement, velocity_of_displacement };
     std::vector<Index> nodes;
-    Index rigid_part = none;    ///< _RIGID: the part that is driven, and `nodes` is empty
+    Index rigid_part = none;    ///< _RIGID: number of the body that is driven, and `nodes` is empty
     Vec3 direction{};           ///< unit vector of the freedom
     bool rotation = false;      ///< about `direction` instead of along it
     bool only_component = true; ///< other components stay free
+    bool local = false;         ///< _RIGID_LOCAL: `direction` turns with the body
+    bool orbit = false;         ///< DOF 9 to 11: nodes go round the axis through `center` along `direction`
+    Vec3 center{};
     Kind kind = Kind::velocity;
     Index curve = none;
     double scale = 1;
@@ -68,7 +75,7 @@ struct PrescribedMotion {
     Location where;
 };
 
-/// *LOAD_NODE: force (or moment) scale * curve(t) along one global axis on each node.
+/// *LOAD_NODE: force (or moment) scale * curve(t) along one axis on each node.
 struct NodalLoad {
     std::vector<Index> nodes;
     Vec3 direction{}; ///< unit vector
@@ -76,14 +83,28 @@ struct NodalLoad {
     Index curve = none;
     double scale = 1;
     Location where;
+    Index system = none; ///< the load is along its `axis`, which turns with it; none: along `direction`
+    int axis = 0;
+    std::array<Index, 3> follows{none, none,
+                                 none}; ///< DOF 4, 8: normal to the plane of these nodes (two: along)
 };
 
-/// *LOAD_BODY_X/Y/Z: base acceleration scale * curve(t) along an axis; the body force acts against it.
+/// *LOAD_BODY family, *LOAD_GRAVITY_PART: motion scale * curve(t) of the frame, whose inertia forces act.
 struct BodyLoad {
-    Vec3 direction{}; ///< unit vector
+    enum class Kind {
+        translation,         ///< base acceleration along `direction`
+        centrifugal,         ///< angular velocity about `direction` through `center`
+        coriolis,            ///< the same
+        angular_acceleration ///< the same
+    };
+    Kind kind = Kind::translation;
+    Vec3 direction{}; ///< unit vector, times the component for *LOAD_BODY_GENERALIZED
+    Vec3 center{};    ///< [length]
     Index curve = none;
     double scale = 1;
-    std::vector<Index> parts; ///< empty: everything
+    std::vector<Index> parts; ///< empty (and no nodes): everything
+    std::vector<Index> nodes;
+    bool own_nodes = false; ///< *LOAD_BODY_PARTS does not speak of it
     Location where;
 };
 
@@ -97,31 +118,115 @@ struct InitialVelocity {
     Vec3 axis{0, 0, 1};
     Vec3 angular_velocity{}; ///< [1/time] of the nodes' own rotational freedoms
     bool set_rotation = false;
+    bool over_inertia = false; ///< IRIGID = 1: also for bodies whose own card gives a velocity
     Location where;
 };
 
 /// *INITIAL_VELOCITY_RIGID_BODY: motion of a rigid part at its centre of mass, over all other entries.
 struct RigidBodyVelocity {
-    Index part = none;
+    Index part = none;       ///< number of the body
     Vec3 translation{};      ///< [velocity]
     Vec3 angular_velocity{}; ///< [1/time]
     Location where;
 };
 
-/// *RIGIDWALL_PLANAR: half space behind a plane that nodes may not enter.
-struct PlanarWall {
+/// *INITIAL_AXIAL_FORCE_BEAM: axial force scale * curve(t) of some beams until the curve ends.
+struct BeamPreload {
+    std::vector<Index> beams;
+    Index curve = none;
+    double scale = 1;
+    bool keeps_bending = false; ///< KBEND = 1: only the mean axial stress is prescribed
+    Location where;
+};
+
+/// *RIGIDWALL_PLANAR and *RIGIDWALL_GEOMETRIC: a body that nodes may not enter.
+struct RigidWall {
+    enum class Shape { plane, finite_plane, prism, cylinder, sphere };
     Id id = 0;
     std::string title;
-    Vec3 tail{};         ///< a point of the plane
-    Vec3 normal{};       ///< unit, pointing to the side of the nodes
-    double friction = 0; ///< Coulomb; >= 1: no sliding once touched (LS-DYNA's FRIC = 1)
+    Shape shape = Shape::plane;
+    Vec3 tail{};   ///< a point of the plane, corner of a finite one, end of a cylinder's axis, centre of a
+                   ///< sphere
+    Vec3 normal{}; ///< unit, pointing to the side of the nodes; axis of a cylinder
+    Vec3 edge{};   ///< unit, of finite planes and prisms along l; m = normal x edge
+    std::array<double, 3> length{}; ///< along l, along m, against the normal; cylinder: the first; 0: endless
+    double radius = 0;              ///< [length]
+    bool interior = false;          ///< nodes stay within the cylinder
+
+    double friction = 0;      ///< Coulomb; 1: no sliding once touched, 2: welded but sliding, 3: welded
+    double weld_velocity = 0; ///< WVEL: nodes weld that come in faster [velocity]
+    bool orthotropic = false; ///< the friction below in place of `friction`, along `friction_axis` and across
+    Vec3 friction_axis{};
+    std::array<double, 2> static_friction{}, dynamic_friction{}, friction_decay{};
+
     bool all_nodes = true;
     std::vector<Index> nodes;    ///< when not all_nodes
     std::vector<Index> excluded; ///< never touch this wall
     double offset = 0;           ///< nodes within this distance are taken as slave nodes [length]; 0: all
     double birth = 0;
     double death = forever;
-    double added_energy_scale = 1; ///< unused by physics: RWKSF
+
+    Index motion_curve = none; ///< velocity or displacement along motion_direction
+    bool motion_is_displacement = false;
+    Vec3 motion_direction{};   ///< unit
+    double mass = 0;           ///< _MOVING: of the wall, which moves along its normal [mass]; 0: it does not
+    double start_velocity = 0; ///< of the mass, along the normal [velocity]
+    Location where;
+};
+
+/// *LOAD_SEGMENT, *LOAD_SEGMENT_SET, *LOAD_SHELL: pressure scale * curve(t - arrival) against the segments'
+/// normals.
+struct PressureLoad {
+    std::vector<std::array<Index, 4>> segments; ///< node indices; a triangle repeats the third
+    Index curve = none;
+    double scale = 1;
+    double arrival = 0; ///< AT [time]
+    Location where;
+};
+
+/// *DAMPING_GLOBAL, *DAMPING_PART_MASS, *DAMPING_RELATIVE: force -rate * curve(t) * scale * m v.
+struct NodeDamping {
+    std::vector<Index> parts; ///< empty: everything
+    double rate = 1;          ///< [1/time]
+    Index curve = none;
+    std::array<double, 6> scale{1, 1, 1, 1, 1, 1}; ///< x, y, z, about x, about y, about z
+    std::vector<Index>
+        reference_nodes; ///< nodes of the rigid part whose motion is not damped; empty: at rest
+    double birth = 0;
+    double death = forever;
+    Location where;
+};
+
+/// *BOUNDARY_NON_REFLECTING: waves leave through these segments of solids.
+struct NonReflectingBoundary {
+    std::vector<std::array<Index, 4>> segments;
+    bool dilatational = true; ///< AD = 0
+    bool shear = true;        ///< AS = 0
+    Location where;
+};
+
+/// *DATABASE_CROSS_SECTION_SET, _PLANE: the force that some elements exert on some of their nodes.
+struct CrossSection {
+    Id id = 0;
+    std::string title;
+    std::vector<Index> nodes;
+    std::vector<Index> solids, shells, beams, thick_shells, discretes;
+    double area = 0; ///< of the cut, at the start [length^2]; 0 where it is not known
+    Location where;
+};
+
+/// *TERMINATION_...: the run ends when this comes true.
+struct Termination {
+    enum class Kind { node, body, deleted_shells, deleted_solids, curve, contact };
+    Kind kind = Kind::node;
+    Index index = none;                            ///< node, part, curve or contact of the Model
+    std::vector<Index> parts;                      ///< of deleted elements
+    int axis = 0;                                  ///< 0 to 2: x, y, z; of `node`, 3: any contact
+    double largest = forever, smallest = -forever; ///< coordinate of a node, displacement of a body [length]
+    long count = 0;                                ///< deleted elements that end the run; 0: all of the parts
+    double time = 0;                               ///< activation (curve, contact) [time]
+    double duration = 0;  ///< a contact must have been without force for so long [time]
+    double threshold = 0; ///< of the contact force [force]
     Location where;
 };
 

@@ -62,7 +62,7 @@ struct Tie {
     double shear_energy = 0;     ///< ERATES
     double stiffness_ratio = 1;  ///< CT2CN
     double normal_stiffness = 0; ///< CN [stress/length]; 0: penalty stiffness
-    Index curve = none;          ///< TBLCID: stress over opening after failure
+    bool by_force = false;       ///< strengths are forces on the node (ties of nodes), not stresses
 };
 
 /// *CONTACT_...: which surfaces act on each other, and how.
@@ -99,6 +99,7 @@ struct Contact {
 
     int soft = 0;                   ///< SOFT: 0 penalty, 1 soft constraint, 2 segment based
     double soft_scale = 0.1;        ///< SOFSCL
+    double soft_step = 0;           ///< DTSTIF: step of the stiffness by SOFT = 1 and 2 [time]; 0: of the run
     double penalty_scale = 0.1;     ///< SLSFAC of *CONTROL_CONTACT
     int penalty_option = 1;         ///< PENOPT of *CONTROL_CONTACT: which side's stiffness counts
     double largest_penetration = 0; ///< PENMAX, times the thickness; 0: default
@@ -106,7 +107,10 @@ struct Contact {
     bool limit_thickness = true;    ///< SSTHK = 0: single surface shells at most 40 % of their shortest edge
     int initial_penetration = 0;    ///< IGNORE: 0 nodes are moved, 1 tracked as a baseline, 2 and reported
     bool square_edges = false;      ///< SHLEDG
-    bool keep_eroded_nodes = false; ///< ENMASS: nodes that have lost their elements stay in the contact
+    bool spot_weld_beams = false;   ///< CPARM8 = 2: beams of ELFORM 9 act in general contact
+    bool exclude_same_part_beams = false; ///< CPARM8 = 1: beams of one part do not touch one another
+    bool inner_edges = false;             ///< _INTERIOR of general contact: sides between shells act as well
+    bool keep_eroded_nodes = false;       ///< ENMASS: nodes that have lost their elements stay in the contact
 };
 
 /// *PART_CONTACT: what a part brings into every contact.

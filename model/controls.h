@@ -56,13 +56,23 @@ struct OutputRequest {
     Location where;
 };
 
+/// *DATABASE_BINARY_D3DUMP and *DATABASE_BINARY_RUNRSF.
+struct RestartRequest {
+    long dump_cycles = 0;    ///< between d3dump files; 0: only on request
+    long running_cycles = 0; ///< between runrsf files; 0: not asked for
+    int running_files = 1;   ///< NR: how many runrsf files are overwritten in turn
+};
+
 /// *DATABASE family.
 struct OutputControls {
     std::map<std::string, OutputRequest> ascii; ///< by lower-case file name: "glstat", "nodout" ...
     OutputRequest d3plot;
+    RestartRequest restart;
     std::vector<Index> history_nodes;
     std::vector<Index> history_shells;
     std::vector<Index> history_solids;
+    std::vector<Index> history_beams;
+    std::vector<Index> history_particles; ///< nodes of *DATABASE_HISTORY_SPH
     std::map<std::string, double> extent; ///< *DATABASE_EXTENT_BINARY by field name, where the deck has it
 };
 

@@ -27,11 +27,20 @@ struct Elements {
     std::size_t size() const { return id.size(); }
 };
 
+/// One ply of a composite part or element.
+struct Layer {
+    Index material = none;
+    double thickness = 0; ///< [length]
+    double angle = 0;     ///< of the material axes [degree]
+};
+
 struct ShellElements : Elements<4> {
     /// [length] at the four corners; empty unless some element of the deck has its own thickness.
     /// A zero first entry means: as the section says.
     std::vector<std::array<double, 4>> thickness;
-    std::vector<double> material_angle; ///< BETA [degree]; empty unless some element has one
+    std::vector<double> material_angle;     ///< BETA [degree]; empty unless some element has one
+    std::vector<Index> material_system;     ///< _MCID, into coordinate_systems; empty or as above
+    std::vector<std::vector<Layer>> layers; ///< _COMPOSITE, bottom first; empty or as above
     std::vector<double> offset; ///< of the reference surface along the normal [length]; empty or as above
     std::vector<std::array<Index, 4>> mid_nodes; ///< of eight-node shells; empty unless there are any
 };
@@ -48,12 +57,18 @@ struct SolidElements : Elements<8> {
 /// Ten-node tetrahedra: four corners, then the nodes on the edges 12, 23, 31, 14, 24, 34.
 using TetrahedronElements = Elements<10>;
 
-using ThickShellElements = Elements<8>;
+struct ThickShellElements : Elements<8> {
+    std::vector<double> material_angle; ///< BETA [degree]; empty unless some element has one
+    std::vector<std::vector<Layer>>
+        layers; ///< _COMPOSITE, bottom first; empty unless some element has its own
+};
 
 /// Two end nodes and the node that turns the cross section (`none`: the section has no direction).
 struct BeamElements : Elements<3> {
     std::vector<Vec3>
         orientation; ///< _ORIENTATION: in place of the third node; empty unless some element has one
+    std::vector<Index> options; ///< into `others`: the element's own card with its releases, thicknesses,
+                                ///< section, offsets ...; empty unless some element has more than its nodes
 };
 
 /// *ELEMENT_DISCRETE: springs and dampers between two nodes (second one `none`: to the ground).
@@ -82,13 +97,6 @@ struct ParticleElements {
     std::size_t size() const { return node.size(); }
 };
 
-/// One ply of a composite part.
-struct Layer {
-    Index material = none;
-    double thickness = 0; ///< [length]
-    double angle = 0;     ///< of the material axes [degree]
-};
-
 /// A part: which section, material and so on its elements have (indices into the Model, or `none`).
 struct Part {
     Id id = 0;
@@ -100,6 +108,7 @@ struct Part {
     Index hourglass = none;    ///< none: as *CONTROL_HOURGLASS says
     std::vector<Layer> layers; ///< *PART_COMPOSITE, bottom first; such a part has no section and no material
     Index composite = none;    ///< into `others`: the *PART_COMPOSITE itself (formulation, shear factor ...)
+    bool made_rigid = false;   ///< *DEFORMABLE_TO_RIGID: rigid from the start whatever its material
 };
 
 /// *PART_INERTIA: mass properties of a rigid part in place of those of its elements.

@@ -24,4 +24,23 @@ Index Model::find_table(Id id) const
     return none;
 }
 
+bool Model::is_rigid(Index part) const
+{
+    if (parts[part].made_rigid) return true;
+    const Index material = parts[part].material;
+    return material != none && materials[material].keyword == "MAT_RIGID";
+}
+
+Id Model::body_id(BodyNumber body) const
+{
+    const Index part_count = static_cast<Index>(parts.size());
+    return body < part_count ? parts[body].id : nodal_rigid_bodies[body - part_count].id;
+}
+
+const std::string& Model::body_title(BodyNumber body) const
+{
+    const Index part_count = static_cast<Index>(parts.size());
+    return body < part_count ? parts[body].title : nodal_rigid_bodies[body - part_count].title;
+}
+
 } // namespace plash

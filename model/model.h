@@ -6,6 +6,7 @@
 #include "model/controls.h"
 #include "model/mesh.h"
 #include "model/record.h"
+#include "model/rigid.h"
 
 #include <map>
 #include <stdexcept>
@@ -34,6 +35,7 @@ struct CoordinateSystem {
     Id id = 0;
     Vec3 origin{};
     std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+    std::array<Index, 3> nodes{none, none, none}; ///< origin, on x, in the xy plane: the axes turn with them
     Location where;
 };
 
@@ -90,9 +92,22 @@ struct Model {
     std::vector<PrescribedMotion> prescribed_motions;
     std::vector<NodalLoad> nodal_loads;
     std::vector<BodyLoad> body_loads;
+    std::vector<PressureLoad> pressure_loads;
+    std::vector<NodeDamping> dampings;
+    std::vector<NonReflectingBoundary> non_reflecting_boundaries;
+    std::vector<Termination> terminations;
+    std::vector<CrossSection> cross_sections; ///< at most 64
     std::vector<InitialVelocity> initial_velocities;
     std::vector<RigidBodyVelocity> rigid_body_velocities;
-    std::vector<PlanarWall> planar_walls;
+    std::vector<NodalRigidBody> nodal_rigid_bodies;
+    std::vector<RigidMerge> rigid_merges;
+    std::vector<ExtraNodes> extra_nodes;
+    std::vector<RigidBodyLoad> rigid_body_loads;
+    std::vector<Joint> joints;
+    std::vector<JointStiffness> joint_stiffnesses;
+    std::vector<RigidSwitch> rigid_switches;
+    std::vector<BeamPreload> beam_preloads;
+    std::vector<RigidWall> rigid_walls;
     std::vector<Contact> contacts;
     std::map<Index, PartInertia> part_inertias; ///< by part, where the deck has *PART_INERTIA
     std::map<Index, PartContact> part_contacts; ///< by part, where the deck has *PART_CONTACT
@@ -107,6 +122,12 @@ struct Model {
     /// such.
     Index find_curve(Id id) const;
     Index find_table(Id id) const;
+
+    /// The part has no stresses: *MAT_RIGID or *DEFORMABLE_TO_RIGID.
+    bool is_rigid(Index part) const;
+    /// Number that the deck gives to a body.
+    Id body_id(BodyNumber body) const;
+    const std::string& body_title(BodyNumber body) const;
 };
 
 /// Calls visit(elements) for every list of elements that have an id, a part and nodes.

@@ -6,9 +6,14 @@ namespace plash {
 
 const Record::Field* Record::peek(std::string_view name) const
 {
-    for (const Field& field : fields)
-        if (field.name == name) return &field;
-    return nullptr;
+    // Cards that depend on a choice (ELFORM, say) may name the same field: the one that the deck gave counts.
+    const Field* first = nullptr;
+    for (const Field& field : fields) {
+        if (field.name != name) continue;
+        if (field.given) return &field;
+        if (!first) first = &field;
+    }
+    return first;
 }
 
 const Record::Field* Record::find(std::string_view name) const

@@ -17,6 +17,11 @@ void append_scientific(std::string& text, double value, int width, int digits)
     }
 }
 
+std::string_view plash_version()
+{
+    return PLASH_VERSION;
+}
+
 std::string ascii_heading(const Model& model)
 {
     return fmt::format(" {:<72.72}\n{:25}plash {}\n", model.title, "", PLASH_VERSION);

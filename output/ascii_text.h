@@ -12,6 +12,9 @@ namespace plash {
 /// the E left out where the exponent needs three figures.
 void append_scientific(std::string& text, double value, int width, int digits);
 
+/// Of the program, as written into result files.
+std::string_view plash_version();
+
 /// The two lines that open every ASCII file: the deck's title and the program with its version.
 std::string ascii_heading(const Model&);
 

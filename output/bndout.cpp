@@ -47,13 +47,15 @@ void append_table(std::string& text, double time, std::string_view title, std::s
     text += '\n';
 }
 
-/// Sums what acts on one node or part; nodes come before parts, each by rising number.
-std::vector<BoundaryRow> rows_of(const std::vector<ElementResults::BoundaryForce>& forces, const Model& model)
+} // namespace
+
+std::vector<BoundaryRow> boundary_rows(const std::vector<ElementResults::BoundaryForce>& forces,
+                                       const Model& model)
 {
     std::map<std::pair<bool, Id>, BoundaryRow> sums;
     for (const auto& force : forces) {
         const bool rigid = force.node == none;
-        const Id id = rigid ? model.parts[force.rigid_part].id : model.nodes.id[force.node];
+        const Id id = rigid ? model.body_id(force.rigid_part) : model.nodes.id[force.node];
         BoundaryRow& row = sums[{rigid, id}];
         row.id = id;
         row.rigid_part = rigid;
@@ -66,8 +68,6 @@ std::vector<BoundaryRow> rows_of(const std::vector<ElementResults::BoundaryForce
     return rows;
 }
 
-} // namespace
-
 std::string format_bndout(double time, std::span<const BoundaryRow> loads,
                           std::span<const BoundaryRow> motions)
 {
@@ -77,7 +77,7 @@ std::string format_bndout(double time, std::span<const BoundaryRow> loads,
     return text;
 }
 
-BndoutRecorder::BndoutRecorder(const Model& model, Schedule schedule, const std::string& path)
+BndoutRecorder::BndoutRecorder(const Model& model, Schedule schedule, const ResultPath& path)
     : ScheduledRecorder(std::move(schedule)), file_(path)
 {
     file_.write(ascii_heading(model) + "\n\n");
@@ -88,8 +88,8 @@ void BndoutRecorder::write_state(const Snapshot& snapshot)
     ElementResults results;
     results.boundary_forces_wanted = true;
     snapshot.collect(results);
-    file_.write(format_bndout(snapshot.clock.time, rows_of(results.loads, snapshot.model),
-                              rows_of(results.motions, snapshot.model)));
+    file_.write(format_bndout(snapshot.clock.time, boundary_rows(results.loads, snapshot.model),
+                              boundary_rows(results.motions, snapshot.model)));
     file_.flush();
 }
 

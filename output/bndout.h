@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace plash {
 
@@ -16,6 +17,9 @@ struct BoundaryRow {
     double energy = 0;
 };
 
+/// Sums what acts on one node or part; nodes come before parts, each by rising number.
+std::vector<BoundaryRow> boundary_rows(const std::vector<ElementResults::BoundaryForce>&, const Model&);
+
 /// The tables of one state as LS-DYNA prints them; an empty table is left out.
 std::string format_bndout(double time, std::span<const BoundaryRow> loads,
                           std::span<const BoundaryRow> motions);
@@ -24,12 +28,13 @@ std::string format_bndout(double time, std::span<const BoundaryRow> loads,
 /// node that is loaded or driven in several directions has one row.
 class BndoutRecorder final : public ScheduledRecorder {
 public:
-    BndoutRecorder(const Model&, Schedule, const std::string& path);
+    BndoutRecorder(const Model&, Schedule, const ResultPath& path);
 
 private:
     ResultFile file_;
 
     void write_state(const Snapshot&) override;
+    void serialise_files(Archive& archive) override { archive(file_); }
 };
 
 } // namespace plash

@@ -11,6 +11,7 @@ namespace plash {
 
 /// What shape an element has once repeated corners are taken as one.
 enum class CellShape : std::uint8_t {
+    vertex = 1,
     triangle = 5,
     quad = 9,
     tetra = 10,
@@ -30,6 +31,12 @@ struct Cell {
 
 /// Triangles repeat the third corner (or, from some meshers, another one).
 Cell shell_cell(const std::array<Index, 4>& nodes);
+
+/// A particle.
+inline Cell vertex_cell(Index node)
+{
+    return {CellShape::vertex, {node}, 1};
+}
 
 /// LS-DYNA's degenerate solids: tetrahedron n1 n2 n3 n4 n4 n4 n4 n4 (or n1 n2 n3 n3 n5 n5 n5 n5), pyramid n5
 /// = ... = n8, wedge n5 = n6 and n7 = n8 (or n3 = n4 and n7 = n8). Any other repetition stays a hexahedron.

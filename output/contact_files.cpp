@@ -138,7 +138,7 @@ std::string format_ncforc(double time, std::span<const NodeContactForce> nodes)
     return text;
 }
 
-RcforcRecorder::RcforcRecorder(const Model& model, Schedule schedule, const std::string& path)
+RcforcRecorder::RcforcRecorder(const Model& model, Schedule schedule, const ResultPath& path)
     : ScheduledRecorder(std::move(schedule)), file_(path)
 {
     file_.write(ascii_heading(model) + contact_legend(model));
@@ -150,7 +150,7 @@ void RcforcRecorder::write_state(const Snapshot& snapshot)
     file_.flush();
 }
 
-SleoutRecorder::SleoutRecorder(const Model& model, Schedule schedule, const std::string& path)
+SleoutRecorder::SleoutRecorder(const Model& model, Schedule schedule, const ResultPath& path)
     : ScheduledRecorder(std::move(schedule)), file_(path)
 {
     file_.write(ascii_heading(model) + contact_legend(model));
@@ -163,7 +163,7 @@ void SleoutRecorder::write_state(const Snapshot& snapshot)
     file_.flush();
 }
 
-NcforcRecorder::NcforcRecorder(const Model& model, Schedule schedule, const std::string& path)
+NcforcRecorder::NcforcRecorder(const Model& model, Schedule schedule, const ResultPath& path)
     : ScheduledRecorder(std::move(schedule)), file_(path)
 {
     file_.write(ascii_heading(model));

@@ -27,34 +27,37 @@ std::string format_ncforc(double time, std::span<const NodeContactForce>);
 /// *DATABASE_RCFORC.
 class RcforcRecorder final : public ScheduledRecorder {
 public:
-    RcforcRecorder(const Model&, Schedule, const std::string& path);
+    RcforcRecorder(const Model&, Schedule, const ResultPath& path);
 
 private:
     ResultFile file_;
 
     void write_state(const Snapshot&) override;
+    void serialise_files(Archive& archive) override { archive(file_); }
 };
 
 /// *DATABASE_SLEOUT.
 class SleoutRecorder final : public ScheduledRecorder {
 public:
-    SleoutRecorder(const Model&, Schedule, const std::string& path);
+    SleoutRecorder(const Model&, Schedule, const ResultPath& path);
 
 private:
     ResultFile file_;
 
     void write_state(const Snapshot&) override;
+    void serialise_files(Archive& archive) override { archive(file_); }
 };
 
 /// *DATABASE_NCFORC.
 class NcforcRecorder final : public ScheduledRecorder {
 public:
-    NcforcRecorder(const Model&, Schedule, const std::string& path);
+    NcforcRecorder(const Model&, Schedule, const ResultPath& path);
 
 private:
     ResultFile file_;
 
     void write_state(const Snapshot&) override;
+    void serialise_files(Archive& archive) override { archive(file_); }
 };
 
 } // namespace plash

@@ -28,7 +28,7 @@ void put(D3plotFamily& family, const SymmetricTensor<double>& value)
 
 } // namespace
 
-D3plotRecorder::D3plotRecorder(const Model& model, Schedule schedule, const std::string& path,
+D3plotRecorder::D3plotRecorder(const Model& model, Schedule schedule, const ResultPath& path,
                                std::size_t words_per_file)
     : ScheduledRecorder(std::move(schedule)),
       layout_(model),
@@ -52,6 +52,9 @@ void D3plotRecorder::write_state(const Snapshot& snapshot)
     clear(r.solid_stress, solids);
     clear(r.solid_plastic_strain, solids);
     clear(r.solid_deleted, solids);
+    clear(r.particles, layout_.particles.size());
+    if (layout_.fluid_groups > 0) clear(r.solid_density, solids);
+    r.solid_fraction.assign(layout_.fluid_groups, std::vector<double>(layout_.fluid_groups > 0 ? solids : 0));
     clear(r.part_motion, layout_.parts.size());
     r.walls.clear();
     snapshot.collect(r);
@@ -65,6 +68,7 @@ void D3plotRecorder::write_state(const Snapshot& snapshot)
     put_shells();
     for (Index solid : layout_.solids) family_.put(r.solid_deleted[solid] ? 0 : 1);
     for (Index shell : layout_.shells) family_.put(r.shell_deleted[shell] ? 0 : 1);
+    put_particles(snapshot.model);
     family_.end_state();
 }
 
@@ -84,14 +88,20 @@ void D3plotRecorder::put_globals(const Snapshot& snapshot, const Vec3& velocity)
     }
     for (Index part : layout_.parts) family_.put(parts[part].mass);
     for (Index part : layout_.parts) family_.put(ledger.part_hourglass[part]);
-    for (const PlanarWall& wall : snapshot.model.planar_walls) {
+    for (const RigidWall& wall : snapshot.model.rigid_walls) {
         double force = 0;
         for (const auto& result : results_.walls) {
             if (result.wall == wall.id) force = result.normal;
         }
         family_.put(force);
     }
-    for (const PlanarWall& wall : snapshot.model.planar_walls) put(family_, wall.tail);
+    for (const RigidWall& wall : snapshot.model.rigid_walls) {
+        Vec3 place = wall.tail;
+        for (const auto& result : results_.walls) {
+            if (result.wall == wall.id) place += result.moved;
+        }
+        put(family_, place);
+    }
 }
 
 void D3plotRecorder::put_solids()
@@ -99,6 +109,8 @@ void D3plotRecorder::put_solids()
     for (Index solid : layout_.solids) {
         put(family_, results_.solid_stress[solid]);
         family_.put(results_.solid_plastic_strain[solid]);
+        if (layout_.fluid_groups > 0) family_.put(results_.solid_density[solid]);
+        for (const auto& fraction : results_.solid_fraction) family_.put(fraction[solid]);
     }
 }
 
@@ -119,6 +131,27 @@ void D3plotRecorder::put_shells()
             family_.put(0);
             family_.put(results_.shell_internal_energy[shell]);
         }
+    }
+}
+
+/// Each begins with the place of its part, negative once the particle has left the run.
+void D3plotRecorder::put_particles(const Model& model)
+{
+    std::vector<double> part_place(layout_.parts.size());
+    for (std::size_t i = 0; i < layout_.parts.size(); ++i)
+        part_place[layout_.parts[i]] = static_cast<double>(i + 1);
+    for (Index index : layout_.particles) {
+        const ElementResults::Particle& particle = results_.particles[index];
+        const double part = part_place[model.particles.part[index]];
+        family_.put(particle.active ? part : -part);
+        family_.put(particle.smoothing);
+        family_.put(particle.pressure);
+        put(family_, particle.stress);
+        family_.put(particle.plastic_strain);
+        family_.put(particle.density);
+        family_.put(particle.internal_energy);
+        family_.put(particle.neighbours);
+        family_.put(particle.mass);
     }
 }
 

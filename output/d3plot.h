@@ -13,9 +13,10 @@ public:
     /// Largest file before the next one begins: 256 MiB in words.
     static constexpr std::size_t default_words_per_file = std::size_t{64} << 20;
 
-    D3plotRecorder(const Model&, Schedule, const std::string& path,
+    D3plotRecorder(const Model&, Schedule, const ResultPath& path,
                    std::size_t words_per_file = default_words_per_file);
 
+    void write_on_request(const Snapshot& snapshot) override { write(snapshot); }
     void finish(const Snapshot& snapshot) override { write(snapshot); }
 
 private:
@@ -24,9 +25,11 @@ private:
     ElementResults results_; ///< kept between states for its memory
 
     void write_state(const Snapshot&) override;
+    void serialise_files(Archive& archive) override { archive(family_); }
     void put_globals(const Snapshot&, const Vec3& velocity);
     void put_solids();
     void put_shells();
+    void put_particles(const Model&);
 };
 
 } // namespace plash

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace plash {
@@ -16,11 +17,14 @@ constexpr std::size_t block_words = 512;
 
 } // namespace
 
-D3plotFamily::D3plotFamily(std::string path, std::size_t words_per_file, bool one_state_per_file)
-    : path_(std::move(path)), words_per_file_(words_per_file), one_state_per_file_(one_state_per_file)
+D3plotFamily::D3plotFamily(const ResultPath& path, std::size_t words_per_file, bool one_state_per_file)
+    : path_(path.path),
+      words_per_file_(words_per_file),
+      one_state_per_file_(one_state_per_file),
+      resumed_(path.resume && std::filesystem::exists(path.path))
 {
-    for (int number = 1; std::remove(path_of(number).c_str()) == 0; ++number) {
-    }
+    if (resumed_) return;
+    remove_after(0);
     open(0);
     write_end(0);
     flush();
@@ -31,8 +35,39 @@ std::string D3plotFamily::path_of(int number) const
     return number == 0 ? path_ : fmt::format("{}{:02}", path_, number);
 }
 
+void D3plotFamily::remove_after(int number) const
+{
+    do {
+        ++number;
+    } while (std::remove(path_of(number).c_str()) == 0);
+}
+
+void D3plotFamily::serialise(Archive& archive)
+{
+    int number = file_number_;
+    std::size_t end = end_;
+    archive(number, end);
+    if (!archive.loading() || !resumed_) return;
+    remove_after(number);
+    file_number_ = number;
+    end_ = end;
+    if (number == 0) return; // its geometry stands, and no state yet
+    file_path_ = path_of(number);
+    file_.reset(std::fopen(file_path_.c_str(), "r+b"));
+    if (!file_) fail("cannot be continued");
+    if (std::filesystem::file_size(file_path_) < 4 * end) {
+        throw RunError(
+            fmt::format("result file {} is shorter than when the restart file was written", file_path_));
+    }
+    seek(end);
+    write_end(end);
+    flush();
+    std::filesystem::resize_file(file_path_, 4 * (end / block_words + 1) * block_words);
+}
+
 void D3plotFamily::write_geometry(std::span<const std::uint32_t> words)
 {
+    if (resumed_) return;
     seek(0);
     write(words.data(), words.size());
     write_end(words.size());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "output/result_file.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -18,10 +20,11 @@ namespace plash {
 /// with its own marker after it, and only then does its time replace the old marker.
 class D3plotFamily {
 public:
-    /// `path` names the first file. A file takes another state only while it stays within `words_per_file`,
-    /// or when it is the first; `one_state_per_file` never puts two into one. Files that an earlier run left
-    /// in the family are removed, because readers would take them for later states.
-    D3plotFamily(std::string path, std::size_t words_per_file, bool one_state_per_file);
+    /// `path` names the first file. With `resume` nothing is touched until `serialise` has loaded where the
+    /// family goes on, unless its first file has gone. A file takes another state only while it stays within
+    /// `words_per_file`, or when it is the first; `one_state_per_file` never puts two into one. Files that an
+    /// earlier run left in the family are removed, because readers would take them for later states.
+    D3plotFamily(const ResultPath& path, std::size_t words_per_file, bool one_state_per_file);
 
     /// Writes the first file: control words, geometry, numbers, titles.
     void write_geometry(std::span<const std::uint32_t> words);
@@ -35,6 +38,9 @@ public:
     }
     void end_state();
 
+    /// Saves how far the family has come, or cuts it to that: later states and files go.
+    void serialise(Archive& archive);
+
 private:
     static constexpr std::size_t buffer_length = 65536;
 
@@ -44,6 +50,7 @@ private:
     std::string path_;
     std::size_t words_per_file_;
     bool one_state_per_file_;
+    bool resumed_ = false; ///< the first file of an earlier run stays
     int file_number_ = 0;
     std::string file_path_;
     std::unique_ptr<std::FILE, Close> file_;
@@ -55,6 +62,7 @@ private:
 
     std::string path_of(int number) const;
     void open(int number);
+    void remove_after(int number) const;
     void seek(std::size_t word);
     void write(const void* words, std::size_t count);
     void drain();

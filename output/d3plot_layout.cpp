@@ -1,5 +1,7 @@
 #include "output/d3plot_layout.h"
 
+#include "model/eulerian.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -89,8 +91,11 @@ std::vector<std::uint32_t> control_block(const Model& model, const D3plotLayout&
     words[31] = count(layout.shells.size());
     words[32] = parts_with(model.shells.part, part_count);
     words[33] = count(layout.shell_words());
+    words[34] = count(layout.solid_history()); // NEIPH
     words[36] =
         static_cast<std::uint32_t>(-(10000 + layout.layers)); // MAXINT; the minus: deletion per element
+    words[37] = count(layout.particles.size());               // NMSPH
+    words[38] = parts_with(model.particles.part, part_count);
     words[39] =
         count(16 + layout.nodes.size() + layout.solids.size() + layout.shells.size() + 3 * part_count);
     words[42] = count(layout.layers * 7); // NV3DT
@@ -140,13 +145,28 @@ void put_numbers(std::vector<std::uint32_t>& words, const Model& model, const D3
     for (std::uint32_t part = 1; part <= parts; ++part) words.push_back(part);
 }
 
+/// ISPHFG: how many flags there are and how many words each quantity of a particle has: radius of influence
+/// (h), pressure, stress, plastic strain, density, internal energy, neighbours, strain and its rate, mass,
+/// history. LS-DYNA 2025 writes 11 of them too, with 12 strains and 3 history variables.
+constexpr std::uint32_t particle_flags[] = {11, 1, 1, 6, 1, 1, 1, 1, 0, 1, 0};
+
+/// The particles by the numbers of their nodes.
+std::vector<Index> sorted_particles(const Model& model)
+{
+    std::vector<Id> ids;
+    for (Index node : model.particles.node) ids.push_back(model.nodes.id[node]);
+    return sorted_by_id(ids);
+}
+
 } // namespace
 
 D3plotLayout::D3plotLayout(const Model& model)
     : nodes(sorted_by_id(model.nodes.id)),
       solids(sorted_by_id(model.solids.id)),
       shells(sorted_by_id(model.shells.id)),
-      walls(model.planar_walls.size())
+      particles(sorted_particles(model)),
+      walls(model.rigid_walls.size()),
+      fluid_groups(has_eulerian_mesh(model) ? multi_material_groups(model) : 0)
 {
     std::vector<Id> part_ids;
     for (const Part& part : model.parts) part_ids.push_back(part.id);
@@ -172,6 +192,9 @@ std::vector<std::uint32_t> d3plot_geometry(const Model& model, const D3plotLayou
     for (const Part& part : model.parts) part_ids.push_back(part.id);
 
     std::vector<std::uint32_t> words = control_block(model, layout);
+    if (!layout.particles.empty()) {
+        words.insert(words.end(), std::begin(particle_flags), std::end(particle_flags));
+    }
     for (Index node : layout.nodes) {
         const Vec3& position = model.nodes.position[node];
         for (double x : {position.x, position.y, position.z}) words.push_back(bits(x));
@@ -180,6 +203,10 @@ std::vector<std::uint32_t> d3plot_geometry(const Model& model, const D3plotLayou
     put_elements(words, model.solids, layout.solids, node_place, part_place);
     put_elements(words, model.shells, layout.shells, node_place, part_place);
     put_numbers(words, model, layout, part_ids);
+    for (Index particle : layout.particles) {
+        words.push_back(node_place[model.particles.node[particle]]);
+        words.push_back(part_place[model.particles.part[particle]]);
+    }
 
     words.push_back(bits(-999999));
     words.push_back(90001); // part titles

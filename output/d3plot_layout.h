@@ -12,6 +12,7 @@ namespace plash {
 struct D3plotLayout {
     /// Indices into the Model in the order of the database.
     std::vector<Index> nodes, solids, shells, parts;
+    std::vector<Index> particles; ///< by the numbers of their nodes
 
     int layers = 3;                  ///< MAXINT: through-thickness points of shells
     bool shell_stress = true;        ///< SIGFLG
@@ -20,22 +21,29 @@ struct D3plotLayout {
     bool shell_extra = true;         ///< ENGFLG: thickness, internal energy
     bool one_state_per_file = false; ///< IEVERP
     std::size_t walls = 0;
+    /// Groups of an Eulerian mesh; with one, solids carry density and the share of each group as history
+    /// variables, as LS-DYNA's ALE elements do. 0: no such mesh.
+    std::size_t fluid_groups = 0;
 
     /// Takes *DATABASE_EXTENT_BINARY into account.
     explicit D3plotLayout(const Model&);
 
     std::size_t global_words() const { return 6 + 7 * parts.size() + 4 * walls; }
-    std::size_t solid_words() const { return 7; }
+    std::size_t solid_history() const { return fluid_groups > 0 ? 1 + fluid_groups : 0; }
+    std::size_t solid_words() const { return 7 + solid_history(); }
     std::size_t shell_words() const
     {
         return layers * (6 * shell_stress + shell_strain) + 8 * shell_forces + 4 * shell_extra;
     }
+    /// Part; h, pressure, six stresses, strain, density, energy, neighbours, mass.
+    std::size_t particle_words() const { return 14; }
     /// Words of a state after its time: globals; coordinates, velocities and accelerations; elements; which
-    /// elements are left.
+    /// elements are left; particles.
     std::size_t state_words() const
     {
         return global_words() + 9 * nodes.size() + solid_words() * solids.size() +
-               shell_words() * shells.size() + solids.size() + shells.size();
+               shell_words() * shells.size() + solids.size() + shells.size() +
+               particle_words() * particles.size();
     }
 };
 

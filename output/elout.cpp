@@ -1,6 +1,7 @@
 #include "output/elout.h"
 
 #include "output/ascii_text.h"
+#include "output/beam_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,13 +110,11 @@ std::string format_elout_shells(long cycle, double time, std::span<const Element
     return text;
 }
 
-EloutRecorder::EloutRecorder(const Model& model, Schedule schedule, const std::string& path)
-    : ScheduledRecorder(std::move(schedule)),
-      shells_(without_repeats(model.controls.output.history_shells)),
+ElementHistories::ElementHistories(const Model& model)
+    : shells_(without_repeats(model.controls.output.history_shells)),
       solids_(without_repeats(model.controls.output.history_solids)),
       shell_rows_(rows_of(shells_, model.shells.size())),
-      solid_rows_(rows_of(solids_, model.solids.size())),
-      file_(path)
+      solid_rows_(rows_of(solids_, model.solids.size()))
 {
     for (Index shell : shells_) {
         const Record* section = section_of(model, model.shells.part[shell]);
@@ -123,10 +122,9 @@ EloutRecorder::EloutRecorder(const Model& model, Schedule schedule, const std::s
         shell_points_.push_back(points);
         shell_layers_ = std::max(shell_layers_, points);
     }
-    file_.write(ascii_heading(model) + "\n\n");
 }
 
-void EloutRecorder::write_state(const Snapshot& snapshot)
+ElementHistories::Lists ElementHistories::collect(const Snapshot& snapshot) const
 {
     const Model& model = snapshot.model;
     ElementResults results;
@@ -141,7 +139,8 @@ void EloutRecorder::write_state(const Snapshot& snapshot)
     results.solid_deleted.resize(solids_.size());
     snapshot.collect(results);
 
-    std::vector<ElementHistory> solids, shells;
+    Lists lists;
+    auto& [solids, shells] = lists;
     for (std::size_t row = 0; row < solids_.size(); ++row) {
         if (results.solid_deleted[row]) continue;
         ElementHistory& solid = solids.emplace_back();
@@ -163,9 +162,25 @@ void EloutRecorder::write_state(const Snapshot& snapshot)
             shell.points.push_back({results.shell_stress[place], results.shell_plastic_strain[place]});
         }
     }
+    return lists;
+}
+
+EloutRecorder::EloutRecorder(const Model& model, Schedule schedule, const ResultPath& path)
+    : ScheduledRecorder(std::move(schedule)),
+      histories_(model),
+      beams_(without_repeats(model.controls.output.history_beams)),
+      file_(path)
+{
+    file_.write(ascii_heading(model) + "\n\n");
+}
+
+void EloutRecorder::write_state(const Snapshot& snapshot)
+{
+    const auto [solids, shells] = histories_.collect(snapshot);
     const long cycle = snapshot.clock.cycle + 1;
     if (!solids.empty()) file_.write(format_elout_solids(cycle, snapshot.clock.time, solids));
     if (!shells.empty()) file_.write(format_elout_shells(cycle, snapshot.clock.time, shells));
+    if (!beams_.empty()) file_.write(format_elout_beams(snapshot, beams_));
     file_.flush();
 }
 

@@ -28,20 +28,37 @@ struct ElementHistory {
 std::string format_elout_solids(long cycle, double time, std::span<const ElementHistory>);
 std::string format_elout_shells(long cycle, double time, std::span<const ElementHistory>);
 
-/// *DATABASE_ELOUT: the elements of *DATABASE_HISTORY_SHELL and *DATABASE_HISTORY_SOLID. Eroded elements are
-/// left out, as LS-DYNA does.
-class EloutRecorder final : public ScheduledRecorder {
+/// The elements of *DATABASE_HISTORY_SHELL and *DATABASE_HISTORY_SOLID, each once and by the Model's order.
+class ElementHistories {
 public:
-    EloutRecorder(const Model&, Schedule, const std::string& path);
+    explicit ElementHistories(const Model&);
+
+    /// Those that are not eroded.
+    struct Lists {
+        std::vector<ElementHistory> solids, shells;
+    };
+    Lists collect(const Snapshot&) const;
 
 private:
     std::vector<Index> shells_, solids_;         ///< wanted elements, by the Model's order
     std::vector<Index> shell_rows_, solid_rows_; ///< row of each element of the Model among those
     std::vector<int> shell_points_;              ///< integration points of each of `shells_`
     int shell_layers_ = 0;
+};
+
+/// *DATABASE_ELOUT: the elements of *DATABASE_HISTORY_SHELL, _SOLID and _BEAM. Eroded elements are
+/// left out, as LS-DYNA does.
+class EloutRecorder final : public ScheduledRecorder {
+public:
+    EloutRecorder(const Model&, Schedule, const ResultPath& path);
+
+private:
+    ElementHistories histories_;
+    std::vector<Index> beams_; ///< wanted, each once
     ResultFile file_;
 
     void write_state(const Snapshot&) override;
+    void serialise_files(Archive& archive) override { archive(file_); }
 };
 
 } // namespace plash

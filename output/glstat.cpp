@@ -91,7 +91,7 @@ std::string format_glstat(const GlobalStatistics& state, bool with_hourglass)
     return text;
 }
 
-GlstatRecorder::GlstatRecorder(const Model& model, Schedule schedule, const std::string& path)
+GlstatRecorder::GlstatRecorder(const Model& model, Schedule schedule, const ResultPath& path)
     : ScheduledRecorder(std::move(schedule)), file_(path)
 {
     file_.write(ascii_heading(model));

@@ -42,12 +42,13 @@ std::string format_glstat(const GlobalStatistics&, bool with_hourglass = true);
 /// *DATABASE_GLSTAT.
 class GlstatRecorder final : public ScheduledRecorder {
 public:
-    GlstatRecorder(const Model&, Schedule, const std::string& path);
+    GlstatRecorder(const Model&, Schedule, const ResultPath& path);
 
 private:
     ResultFile file_;
 
     void write_state(const Snapshot&) override;
+    void serialise_files(Archive& archive) override { archive(file_); }
 };
 
 } // namespace plash

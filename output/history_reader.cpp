@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <fmt/format.h>
 #include <utility>
 
 namespace plash {
@@ -74,6 +77,72 @@ History read_glstat_history(std::string_view text)
         }
     }
     return history;
+}
+
+namespace {
+
+/// One value a state and entity, in the order of the file; entities that come later begin with zeros.
+class EntityHistory {
+public:
+    void add(double time, const std::string& name, double value)
+    {
+        if (history_.time.empty() || time != history_.time.back()) history_.time.push_back(time);
+        const auto column = std::find_if(history_.columns.begin(), history_.columns.end(),
+                                         [&](const History::Column& c) { return c.name == name; });
+        History::Column& found = column == history_.columns.end()
+                                     ? history_.columns.emplace_back(History::Column{name, {}})
+                                     : *column;
+        found.values.resize(history_.time.size() - 1, 0.0);
+        found.values.push_back(value);
+    }
+    History take()
+    {
+        for (History::Column& column : history_.columns) column.values.resize(history_.time.size(), 0.0);
+        return std::move(history_);
+    }
+
+private:
+    History history_;
+};
+
+/// Calls line(text) for each line that is ended.
+template <class Line>
+void for_each_line(std::string_view text, Line&& line)
+{
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        if (end == std::string_view::npos) return; // broken off
+        line(text.substr(0, end));
+        text.remove_prefix(end + 1);
+    }
+}
+
+} // namespace
+
+History read_rwforc_history(std::string_view text)
+{
+    EntityHistory history;
+    for_each_line(text, [&](std::string_view line) {
+        double time = 0, normal = 0;
+        long wall = 0;
+        if (std::sscanf(std::string(line).c_str(), "%lf %ld %lf", &time, &wall, &normal) != 3) return;
+        history.add(time, fmt::format("wall {}", wall), normal);
+    });
+    return history.take();
+}
+
+History read_rcforc_history(std::string_view text)
+{
+    EntityHistory history;
+    for_each_line(text, [&](std::string_view line) {
+        long contact = 0;
+        double time = 0, x = 0, y = 0, z = 0;
+        const int found = std::sscanf(std::string(line).c_str(), " slave %ld time %lf x %lf y %lf z %lf",
+                                      &contact, &time, &x, &y, &z);
+        if (found != 5) return;
+        history.add(time, fmt::format("contact {}", contact), std::sqrt(x * x + y * y + z * z));
+    });
+    return history.take();
 }
 
 } // namespace plash

@@ -23,4 +23,10 @@ struct History {
 /// LS-DYNA's files as well. A state that breaks off (a run that was killed while it wrote) is left out.
 History read_glstat_history(std::string_view text);
 
+/// Normal force on each rigid wall, from rwforc: columns "wall 3".
+History read_rwforc_history(std::string_view text);
+
+/// Size of the resultant force on the slave side of each contact, from rcforc: columns "contact 7".
+History read_rcforc_history(std::string_view text);
+
 } // namespace plash

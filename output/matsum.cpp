@@ -47,7 +47,7 @@ std::string format_matsum(double time, std::span<const PartStatistics> parts)
     return text;
 }
 
-MatsumRecorder::MatsumRecorder(const Model& model, Schedule schedule, const std::string& path)
+MatsumRecorder::MatsumRecorder(const Model& model, Schedule schedule, const ResultPath& path)
     : ScheduledRecorder(std::move(schedule)), file_(path)
 {
     std::string entries;
@@ -55,7 +55,7 @@ MatsumRecorder::MatsumRecorder(const Model& model, Schedule schedule, const std:
     file_.write(ascii_heading(model) + ascii_legend(entries));
 }
 
-void MatsumRecorder::write_state(const Snapshot& snapshot)
+std::vector<PartStatistics> part_statistics(const Snapshot& snapshot)
 {
     const std::size_t part_count = snapshot.model.parts.size();
     ElementResults results;
@@ -73,8 +73,14 @@ void MatsumRecorder::write_state(const Snapshot& snapshot)
         parts[i].momentum = {motion.momentum[0], motion.momentum[1], motion.momentum[2]};
         if (motion.mass > 0) parts[i].rigid_body_velocity = (1 / motion.mass) * parts[i].momentum;
         parts[i].hourglass = snapshot.ledger.part_hourglass[i];
+        parts[i].mass = motion.mass;
     }
-    file_.write(format_matsum(snapshot.clock.time, parts));
+    return parts;
+}
+
+void MatsumRecorder::write_state(const Snapshot& snapshot)
+{
+    file_.write(format_matsum(snapshot.clock.time, part_statistics(snapshot)));
     file_.flush();
 }
 

@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace plash {
 
@@ -18,7 +19,11 @@ struct PartStatistics {
     Vec3 momentum{};
     Vec3 rigid_body_velocity{}; ///< momentum over mass
     double hourglass = 0;
+    double mass = 0; ///< of what is not eroded
 };
+
+/// All parts of the Model.
+std::vector<PartStatistics> part_statistics(const Snapshot&);
 
 /// One state as LS-DYNA R13 prints it.
 std::string format_matsum(double time, std::span<const PartStatistics>);
@@ -26,12 +31,13 @@ std::string format_matsum(double time, std::span<const PartStatistics>);
 /// *DATABASE_MATSUM.
 class MatsumRecorder final : public ScheduledRecorder {
 public:
-    MatsumRecorder(const Model&, Schedule, const std::string& path);
+    MatsumRecorder(const Model&, Schedule, const ResultPath& path);
 
 private:
     ResultFile file_;
 
     void write_state(const Snapshot&) override;
+    void serialise_files(Archive& archive) override { archive(file_); }
 };
 
 } // namespace plash

@@ -1,6 +1,7 @@
 #include "output/nodal_motion.h"
 
 #include "core/parallel.h"
+#include "model/eulerian.h"
 
 namespace plash {
 
@@ -28,8 +29,14 @@ NodalMotion::NodalMotion(const Snapshot& snapshot, bool rotations)
     if (rotations && state_.rotational()) {
         results.angular_acceleration = quotient(state_.moment, state_.inertia);
     }
+    if (has_eulerian_mesh(snapshot.model)) {
+        results.material_velocity.resize(state_.size());
+        for (std::size_t node = 0; node < state_.size(); ++node)
+            results.material_velocity[node] = state_.velocity[node] - span_ * results.acceleration[node];
+    }
     snapshot.collect(results);
     acceleration_ = std::move(results.acceleration);
+    material_velocity_ = std::move(results.material_velocity);
     angular_acceleration_ = std::move(results.angular_acceleration);
 }
 
@@ -46,11 +53,12 @@ Vec3 global_velocity(const Snapshot& snapshot, const NodalMotion& motion,
     }
     const Model& model = snapshot.model;
     for (std::size_t part = 0; part < parts.size(); ++part) {
+        const ElementResults::PartMotion& own = parts[part];
         const Index material = model.parts[part].material;
-        if (material == none || model.materials[material].keyword != "MAT_RIGID") continue;
-        const ElementResults::PartMotion& rigid = parts[part];
-        total_mass += rigid.mass;
-        momentum += Vec3{rigid.momentum[0], rigid.momentum[1], rigid.momentum[2]};
+        const bool rigid = material != none && model.materials[material].keyword == "MAT_RIGID";
+        if (!rigid && !own.outside_state) continue;
+        total_mass += own.mass;
+        momentum += Vec3{own.momentum[0], own.momentum[1], own.momentum[2]};
     }
     return total_mass > 0 ? (1 / total_mass) * momentum : Vec3{};
 }

@@ -17,7 +17,12 @@ public:
 
     Vec3 position(Index node) const { return state_.position[node]; }
     Vec3 displacement(Index node) const { return state_.position[node] - start_[node]; }
-    Vec3 velocity(Index node) const { return state_.velocity[node] - span_ * acceleration_[node]; }
+    /// Of the material, where it flows through a mesh that does not move with it (then at n).
+    Vec3 velocity(Index node) const
+    {
+        return material_velocity_.empty() ? state_.velocity[node] - span_ * acceleration_[node]
+                                          : material_velocity_[node];
+    }
     Vec3 acceleration(Index node) const { return acceleration_[node]; }
 
     Vec3 angular_velocity(Index node) const
@@ -31,6 +36,7 @@ private:
     const std::vector<Vec3>& start_;
     double span_;
     std::vector<Vec3> acceleration_;
+    std::vector<Vec3> material_velocity_; ///< empty without Eulerian meshes
     std::vector<Vec3> angular_acceleration_;
 };
 

@@ -60,7 +60,7 @@ std::string format_nodout(long cycle, double time, std::span<const RotationRow> 
     return text;
 }
 
-NodoutRecorder::NodoutRecorder(const Model& model, Schedule schedule, const std::string& path)
+NodoutRecorder::NodoutRecorder(const Model& model, Schedule schedule, const ResultPath& path)
     : ScheduledRecorder(std::move(schedule)),
       nodes_(model.controls.output.history_nodes),
       rotation_(nodes_.size()),

@@ -28,7 +28,7 @@ std::string format_nodout(long cycle, double time, std::span<const RotationRow>)
 /// *DATABASE_NODOUT: the nodes of *DATABASE_HISTORY_NODE. What is written when: see NodalMotion.
 class NodoutRecorder final : public ScheduledRecorder {
 public:
-    NodoutRecorder(const Model&, Schedule, const std::string& path);
+    NodoutRecorder(const Model&, Schedule, const ResultPath& path);
 
     /// Sums the angles of rotation.
     void follow(const Clock&, const State&) override;
@@ -39,6 +39,7 @@ private:
     ResultFile file_;
 
     void write_state(const Snapshot&) override;
+    void serialise_files(Archive& archive) override { archive(file_, rotation_); }
 };
 
 } // namespace plash

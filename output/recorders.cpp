@@ -1,14 +1,23 @@
 #include "output/recorders.h"
 
+#include "output/beam_files.h"
+#include "output/binout.h"
 #include "output/bndout.h"
 #include "output/contact_files.h"
 #include "output/d3plot.h"
+#include "output/dbfsi.h"
 #include "output/elout.h"
 #include "output/glstat.h"
+#include "output/history_file.h"
+#include "output/jntforc.h"
+#include "output/lsda_file.h"
 #include "output/matsum.h"
 #include "output/nodout.h"
+#include "output/rbdout.h"
 #include "output/rwforc.h"
+#include "output/secforc.h"
 #include "output/spcforc.h"
+#include "output/sphout.h"
 #include "output/vtk_series.h"
 
 #include <functional>
@@ -21,11 +30,11 @@ namespace {
 struct AsciiFile {
     std::string name;
     std::function<bool(const Model&)> wanted;
-    std::function<std::unique_ptr<Recorder>(const Model&, Schedule, const std::string& path)> make;
+    std::function<std::unique_ptr<Recorder>(const Model&, Schedule, const ResultPath& path)> make;
 };
 
 template <class T>
-std::unique_ptr<Recorder> make(const Model& model, Schedule schedule, const std::string& path)
+std::unique_ptr<Recorder> make(const Model& model, Schedule schedule, const ResultPath& path)
 {
     return std::make_unique<T>(model, std::move(schedule), path);
 }
@@ -42,12 +51,18 @@ bool has_history_nodes(const Model& model)
 
 bool has_history_elements(const Model& model)
 {
-    return !model.controls.output.history_shells.empty() || !model.controls.output.history_solids.empty();
+    const OutputControls& output = model.controls.output;
+    return !output.history_shells.empty() || !output.history_solids.empty() || !output.history_beams.empty();
+}
+
+bool has_spot_welds(const Model& model)
+{
+    return !spot_weld_beams(model).empty();
 }
 
 bool has_walls(const Model& model)
 {
-    return !model.planar_walls.empty();
+    return !model.rigid_walls.empty();
 }
 
 bool has_supports(const Model& model)
@@ -57,7 +72,29 @@ bool has_supports(const Model& model)
 
 bool has_loads(const Model& model)
 {
-    return !model.nodal_loads.empty() || !model.prescribed_motions.empty();
+    return !model.nodal_loads.empty() || !model.rigid_body_loads.empty() || !model.prescribed_motions.empty();
+}
+
+bool has_rigid_bodies(const Model& model)
+{
+    for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part)
+        if (model.is_rigid(part)) return true;
+    return !model.nodal_rigid_bodies.empty();
+}
+
+bool has_joints(const Model& model)
+{
+    return !model.joints.empty();
+}
+
+bool has_history_particles(const Model& model)
+{
+    return !model.controls.output.history_particles.empty();
+}
+
+bool has_sections(const Model& model)
+{
+    return !model.cross_sections.empty();
 }
 
 bool has_contacts(const Model& model)
@@ -73,9 +110,14 @@ const std::vector<AsciiFile>& ascii_files()
         {"matsum", always, make<MatsumRecorder>},
         {"nodout", has_history_nodes, make<NodoutRecorder>},
         {"elout", has_history_elements, make<EloutRecorder>},
+        {"swforc", has_spot_welds, make<SwforcRecorder>},
         {"rwforc", has_walls, make<RwforcRecorder>},
         {"spcforc", has_supports, make<SpcforcRecorder>},
+        {"sphout", has_history_particles, make<SphoutRecorder>},
         {"bndout", has_loads, make<BndoutRecorder>},
+        {"rbdout", has_rigid_bodies, make<RbdoutRecorder>},
+        {"jntforc", has_joints, make<JntforcRecorder>},
+        {"secforc", has_sections, make<SecforcRecorder>},
         {"rcforc", has_contacts, make<RcforcRecorder>},
         {"sleout", has_contacts, make<SleoutRecorder>},
         {"ncforc", has_contacts, make<NcforcRecorder>},
@@ -89,22 +131,44 @@ std::vector<std::unique_ptr<Recorder>> make_recorders(const Model& model, const 
                                                       const RecorderOptions& options)
 {
     std::vector<std::unique_ptr<Recorder>> recorders;
+    const auto path_of = [&](const std::string& name) {
+        return ResultPath(directory + name, options.resume);
+    };
+    std::unique_ptr<BinoutRecorder> binout;
+    auto history = std::make_unique<BinoutRecorder>(std::make_unique<HistoryFile>(path_of("/history.h5")));
     for (const AsciiFile& file : ascii_files()) {
         const auto request = model.controls.output.ascii.find(file.name);
         if (request == model.controls.output.ascii.end()) continue;
         if (!asked_for(request->second) || !file.wanted(model)) continue;
+        const int binary = request->second.binary;
+        const Schedule schedule = schedule_of(request->second, model);
+        const std::string folder = binout_folder(file.name);
+        auto section = make_binout_section(file.name, model);
+        if (section) history->add(folder, schedule, std::move(section), model);
+        if (binary >= 2) section = make_binout_section(file.name, model);
+        if (section) {
+            if (!binout)
+                binout = std::make_unique<BinoutRecorder>(std::make_unique<LsdaFile>(path_of("/binout0000")));
+            binout->add(folder, schedule, std::move(section), model);
+            if (binary == 2) continue;
+        }
+        recorders.push_back(file.make(model, schedule, path_of("/" + file.name)));
+    }
+    if (binout) recorders.push_back(std::move(binout));
+    if (!history->empty()) recorders.push_back(std::move(history));
+    if (has_fluid_surfaces(model)) {
         recorders.push_back(
-            file.make(model, schedule_of(request->second, model), directory + "/" + file.name));
+            std::make_unique<DbfsiRecorder>(model, fluid_surface_schedule(model), path_of("/dbfsi")));
     }
     const OutputRequest& d3plot = model.controls.output.d3plot;
     if (asked_for(d3plot)) {
         recorders.push_back(
-            std::make_unique<D3plotRecorder>(model, schedule_of(d3plot, model), directory + "/d3plot"));
+            std::make_unique<D3plotRecorder>(model, schedule_of(d3plot, model), path_of("/d3plot")));
     }
     if (options.vtk) {
         const Schedule schedule =
             asked_for(d3plot) ? schedule_of(d3plot, model) : Schedule(model.controls.time.end_time / 20);
-        recorders.push_back(std::make_unique<VtkSeries>(model, schedule, directory));
+        recorders.push_back(std::make_unique<VtkSeries>(model, schedule, path_of("")));
     }
     write_walls(model, directory);
     return recorders;

@@ -12,6 +12,7 @@ namespace plash {
 struct RecorderOptions {
     bool vtk =
         false; ///< a VtkSeries at the interval of d3plot, or twenty states if the deck asks for no d3plot
+    bool resume = false; ///< files that are there go on, from where a restart file says (Recorder::serialise)
 };
 
 /// Every result file that the Model's *DATABASE requests ask for, to be written into `directory`, which must

@@ -6,11 +6,11 @@
 
 namespace plash {
 
-RwforcRecorder::RwforcRecorder(const Model& model, Schedule schedule, const std::string& path)
+RwforcRecorder::RwforcRecorder(const Model& model, Schedule schedule, const ResultPath& path)
     : ScheduledRecorder(std::move(schedule)), file_(path)
 {
     std::string entries;
-    for (const PlanarWall& wall : model.planar_walls) {
+    for (const RigidWall& wall : model.rigid_walls) {
         if (!wall.title.empty()) entries += legend_entry(wall.id, wall.title, 80);
     }
     file_.write(ascii_heading(model) + (entries.empty() ? "\n\n" : ascii_legend(entries)) +

@@ -34,4 +34,10 @@ void ScheduledRecorder::write(const Snapshot& snapshot)
     schedule_.advance(snapshot.clock);
 }
 
+void ScheduledRecorder::serialise(Archive& archive)
+{
+    archive(schedule_, last_cycle_);
+    serialise_files(archive);
+}
+
 } // namespace plash

@@ -16,6 +16,7 @@ public:
     double next() const { return next_; }
     /// The state of this cycle has been written.
     void advance(const Clock&);
+    void serialise(Archive& archive) { archive(next_); }
 
 private:
     double interval_ = 0;
@@ -36,9 +37,12 @@ public:
 
     double next_time() const final { return schedule_.next(); }
     void write(const Snapshot&) final;
+    void serialise(Archive&) final;
 
 protected:
     virtual void write_state(const Snapshot&) = 0;
+    /// The recorder's files, and what else it carries from state to state (Recorder::serialise).
+    virtual void serialise_files(Archive&) = 0;
 
 private:
     Schedule schedule_;

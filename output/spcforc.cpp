@@ -40,8 +40,7 @@ std::string format_spcforc(double time, std::span<const SupportRow> rows)
     return text + "\n";
 }
 
-SpcforcRecorder::SpcforcRecorder(const Model& model, Schedule schedule, const std::string& path)
-    : ScheduledRecorder(std::move(schedule)), row_of_node_(model.nodes.size(), none), file_(path)
+SupportTable::SupportTable(const Model& model) : row_of_node_(model.nodes.size(), none)
 {
     constexpr FreedomMask translations = 7;
     std::map<Id, std::pair<Index, FreedomMask>> held; // by node number
@@ -56,10 +55,15 @@ SpcforcRecorder::SpcforcRecorder(const Model& model, Schedule schedule, const st
         row_of_node_[node.first] = static_cast<Index>(rows_.size());
         rows_.push_back({id, (node.second & translations) != 0, (node.second & ~translations) != 0, {}, {}});
     }
+}
+
+SpcforcRecorder::SpcforcRecorder(const Model& model, Schedule schedule, const ResultPath& path)
+    : ScheduledRecorder(std::move(schedule)), table_(model), file_(path)
+{
     file_.write(ascii_heading(model) + "\n\n single point constraint forces\n\n");
 }
 
-void SpcforcRecorder::write_state(const Snapshot& snapshot)
+std::vector<SupportRow> SupportTable::filled(const Snapshot& snapshot) const
 {
     ElementResults results;
     results.boundary_forces_wanted = true;
@@ -70,7 +74,12 @@ void SpcforcRecorder::write_state(const Snapshot& snapshot)
         row.force += support.force;
         row.moment += support.moment;
     }
-    file_.write(format_spcforc(snapshot.clock.time, rows));
+    return rows;
+}
+
+void SpcforcRecorder::write_state(const Snapshot& snapshot)
+{
+    file_.write(format_spcforc(snapshot.clock.time, table_.filled(snapshot)));
     file_.flush();
 }
 

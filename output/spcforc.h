@@ -19,17 +19,30 @@ struct SupportRow {
 /// One state as LS-DYNA prints it: rows in the order given, and the sum of the forces.
 std::string format_spcforc(double time, std::span<const SupportRow>);
 
+/// The held nodes of a Model by rising number, and their reactions.
+class SupportTable {
+public:
+    explicit SupportTable(const Model&);
+
+    const std::vector<SupportRow>& rows() const { return rows_; } ///< without forces
+    std::vector<SupportRow> filled(const Snapshot&) const;
+
+private:
+    std::vector<SupportRow> rows_;
+    std::vector<Index> row_of_node_;
+};
+
 /// *DATABASE_SPCFORC: reaction forces of all held nodes at n, by rising node number.
 class SpcforcRecorder final : public ScheduledRecorder {
 public:
-    SpcforcRecorder(const Model&, Schedule, const std::string& path);
+    SpcforcRecorder(const Model&, Schedule, const ResultPath& path);
 
 private:
-    std::vector<SupportRow> rows_; ///< without forces
-    std::vector<Index> row_of_node_;
+    SupportTable table_;
     ResultFile file_;
 
     void write_state(const Snapshot&) override;
+    void serialise_files(Archive& archive) override { archive(file_); }
 };
 
 } // namespace plash

@@ -1,6 +1,7 @@
 #include "output/vtk_series.h"
 
 #include "core/run_error.h"
+#include "model/eulerian.h"
 #include "output/nodal_motion.h"
 #include "output/result_file.h"
 #include "output/vtu_file.h"
@@ -63,6 +64,8 @@ void add_element_numbers(VtuFile& file, const Model& model)
     std::vector<std::int64_t> ids, parts;
     put_numbers(model.shells, model, ids, parts);
     put_numbers(model.solids, model, ids, parts);
+    for (Index node : model.particles.node) ids.push_back(model.nodes.id[node]);
+    for (Index part : model.particles.part) parts.push_back(model.parts[part].id);
     file.add_cell_array("element_id", 1, ids);
     file.add_cell_array("part_id", 1, parts);
 }
@@ -79,6 +82,15 @@ ElementResults collect_results(const Snapshot& snapshot)
     r.solid_stress.resize(solids);
     r.solid_plastic_strain.resize(solids);
     r.solid_deleted.resize(solids);
+    if (!snapshot.model.contacts.empty()) {
+        r.contact_force.resize(snapshot.model.nodes.size());
+        r.contact_pressure.resize(snapshot.model.nodes.size());
+    }
+    r.particles.resize(snapshot.model.particles.size());
+    if (has_eulerian_mesh(snapshot.model)) {
+        r.solid_density.resize(solids);
+        r.solid_fraction.assign(multi_material_groups(snapshot.model), std::vector<double>(solids));
+    }
     snapshot.collect(r);
     return r;
 }
@@ -107,6 +119,13 @@ void add_element_results(VtuFile& file, const ElementResults& r)
         thickness.push_back(0);
     }
     eroded.insert(eroded.end(), r.solid_deleted.begin(), r.solid_deleted.end());
+    for (const ElementResults::Particle& particle : r.particles) {
+        for (auto& layer : stress) put(layer, particle.stress);
+        mises.push_back(static_cast<float>(von_mises(particle.stress)));
+        plastic.push_back(static_cast<float>(particle.plastic_strain));
+        thickness.push_back(0);
+        eroded.push_back(particle.active ? 0 : 1);
+    }
     for (std::uint8_t gone : eroded) ghost.push_back(gone ? hidden_cell : 0);
     file.add_cell_array("eroded", 1, eroded);
     file.add_cell_array("vtkGhostType", 1, ghost);
@@ -118,6 +137,52 @@ void add_element_results(VtuFile& file, const ElementResults& r)
     file.add_cell_array("von_mises", 1, mises);
     file.add_cell_array("plastic_strain", 1, plastic);
     file.add_cell_array("thickness", 1, thickness);
+}
+
+/// What contacts do to the nodes; nothing in a deck without contacts.
+void add_contact_results(VtuFile& file, const ElementResults& r)
+{
+    if (r.contact_force.empty()) return;
+    std::vector<float> force, pressure(r.contact_pressure.begin(), r.contact_pressure.end());
+    for (const Vec3& f : r.contact_force) put(force, f);
+    file.add_point_array("contact_force", 3, force);
+    file.add_point_array("contact_pressure", 1, pressure);
+}
+
+/// By cell: zero for shells, then solids, then particles; either list may be empty.
+template <class ParticleValue>
+std::vector<float> by_cell(const ElementResults& r, const std::vector<double>& of_solids,
+                           ParticleValue&& of_particle)
+{
+    std::vector<float> values(r.shell_deleted.size());
+    values.insert(values.end(), of_solids.begin(), of_solids.end());
+    values.resize(r.shell_deleted.size() + r.solid_deleted.size());
+    for (const ElementResults::Particle& particle : r.particles)
+        values.push_back(static_cast<float>(of_particle(particle)));
+    return values;
+}
+
+/// What only fluids have: cells of an Eulerian mesh and particles.
+void add_fluid_results(VtuFile& file, const ElementResults& r)
+{
+    if (r.solid_density.empty() && r.particles.empty()) return;
+    using Particle = ElementResults::Particle;
+    std::vector<double> pressure;
+    if (!r.solid_density.empty()) {
+        for (const Stress& s : r.solid_stress) pressure.push_back(-(s.xx + s.yy + s.zz) / 3);
+    }
+    const auto add = [&](const std::string& name, const std::vector<double>& of_solids, auto&& of_particle) {
+        file.add_cell_array(name, 1, by_cell(r, of_solids, of_particle));
+    };
+    add("density", r.solid_density, [](const Particle& particle) { return particle.density; });
+    add("pressure", pressure, [](const Particle& particle) { return particle.pressure; });
+    for (std::size_t group = 0; group < r.solid_fraction.size(); ++group)
+        add(fmt::format("volume_fraction_{}", group + 1), r.solid_fraction[group],
+            [](const Particle&) { return 0; });
+    if (r.particles.empty()) return;
+    add("smoothing_length", {}, [](const Particle& particle) { return particle.smoothing; });
+    add("internal_energy", {}, [](const Particle& particle) { return particle.internal_energy; });
+    add("neighbours", {}, [](const Particle& particle) { return particle.neighbours; });
 }
 
 /// Makes the folder, and removes the states that an earlier run left in it.
@@ -139,15 +204,24 @@ void prepare_folder(const std::string& folder)
 
 } // namespace
 
-VtkSeries::VtkSeries(const Model& model, Schedule schedule, std::string directory)
-    : ScheduledRecorder(std::move(schedule)),
-      directory_(std::move(directory)),
-      walls_(!model.planar_walls.empty())
+VtkSeries::VtkSeries(const Model& model, Schedule schedule, const ResultPath& directory)
+    : ScheduledRecorder(std::move(schedule)), directory_(directory.path), walls_(!model.rigid_walls.empty())
 {
     for (const auto& nodes : model.shells.nodes) cells_.push_back(shell_cell(nodes));
     for (const auto& nodes : model.solids.nodes) cells_.push_back(solid_cell(nodes));
+    for (Index node : model.particles.node) cells_.push_back(vertex_cell(node));
+    if (directory.resume) {
+        std::filesystem::create_directories(directory_ + "/vtk");
+        return;
+    }
     prepare_folder(directory_ + "/vtk");
     write_index();
+}
+
+void VtkSeries::serialise_files(Archive& archive)
+{
+    archive(files_);
+    if (archive.loading()) write_index();
 }
 
 void VtkSeries::write_state(const Snapshot& snapshot)
@@ -156,7 +230,10 @@ void VtkSeries::write_state(const Snapshot& snapshot)
     for (const Cell& cell : cells_) file.add_cell(cell);
     add_nodes(file, snapshot);
     add_element_numbers(file, snapshot.model);
-    add_element_results(file, collect_results(snapshot));
+    const ElementResults results = collect_results(snapshot);
+    add_element_results(file, results);
+    add_contact_results(file, results);
+    add_fluid_results(file, results);
     const std::string name = fmt::format("vtk/result_{:04}.vtu", files_.size());
     file.write(directory_ + "/" + name, snapshot.clock.time);
     files_.emplace_back(snapshot.clock.time, name);
@@ -179,7 +256,7 @@ void VtkSeries::write_index() const
 
 void write_walls(const Model& model, const std::string& directory)
 {
-    if (model.planar_walls.empty()) return;
+    if (model.rigid_walls.empty()) return;
     Vec3 low{}, high{};
     if (!model.nodes.position.empty()) low = high = model.nodes.position[0];
     for (const Vec3& x : model.nodes.position) {
@@ -191,7 +268,7 @@ void write_walls(const Model& model, const std::string& directory)
 
     VtuFile file;
     std::vector<std::int64_t> ids;
-    for (const PlanarWall& wall : model.planar_walls) {
+    for (const RigidWall& wall : model.rigid_walls) {
         const Vec3 foot = center - dot(center - wall.tail, wall.normal) * wall.normal;
         const Vec3 helper = std::abs(wall.normal.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
         const Vec3 a = half_side * unit(cross(wall.normal, helper));

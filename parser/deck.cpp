@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 namespace plash {
@@ -65,10 +66,14 @@ class Scanner {
 public:
     Scanner(Deck& deck, Report& report) : deck_(deck), report_(report) {}
 
-    void scan_deck(const std::string& path)
+    /// `text`: what the file holds, when it need not be opened.
+    void scan_deck(const std::string& path, const std::optional<std::string_view>& text)
     {
         start_directory_ = fs::path(path).parent_path();
-        scan_file(path, {}, 0, nullptr);
+        const auto open = [&] {
+            return text ? std::make_unique<TextFile>(path, *text) : std::make_unique<TextFile>(path);
+        };
+        scan_file(open, path, {}, 0, nullptr);
     }
 
 private:
@@ -82,12 +87,13 @@ private:
         bool ended = false;
     };
 
-    void scan_file(const std::string& path, Location from, int minimum_width,
+    template <class Open>
+    void scan_file(Open&& open, const std::string& path, Location from, int minimum_width,
                    const IncludeTransform* transform)
     {
         std::unique_ptr<TextFile> text_file;
         try {
-            text_file = std::make_unique<TextFile>(path);
+            text_file = open();
         } catch (const FileError& error) {
             report_.error(from, from.file == none ? "" : "INCLUDE", from.file == none ? "" : "FILENAME",
                           error.what());
@@ -108,41 +114,82 @@ private:
         open_.pop_back();
     }
 
+    /// Lines up to the next keyword.
+    struct Extent {
+        const char* end;                 ///< where that keyword stands
+        long line_ends = 0;              ///< in between
+        const char* encrypted = nullptr; ///< the first line of encrypted data, if any
+    };
+
+    /// `begin` is where a line begins. Works in windows that fit a cache, so that memory is read once.
+    static Extent extent_from(const char* begin, const char* end, TextRelease& release)
+    {
+        constexpr std::ptrdiff_t window = 1 << 18;
+        constexpr std::string_view encrypted = "-----BEGIN PGP";
+        Extent extent{begin};
+        for (const char* at = begin; at < end; at = extent.end) {
+            const char* const stop = end - at > window ? at + window : end;
+            const char* const keyword = find_line({at, static_cast<std::size_t>(stop - at)}, "*", begin);
+            extent.end = keyword ? keyword : stop;
+            extent.line_ends += count_lines({at, static_cast<std::size_t>(extent.end - at)});
+            // The word may lie across two windows.
+            const char* const from =
+                std::max(begin, at - std::min<std::ptrdiff_t>(at - begin, encrypted.size()));
+            if (!extent.encrypted)
+                extent.encrypted =
+                    find_line({from, static_cast<std::size_t>(extent.end - from)}, encrypted, begin);
+            release.up_to(at);
+            if (keyword) break;
+        }
+        return extent;
+    }
+
+    /// `begin` is the start of line `first_line`.
+    void report_encrypted(const char* begin, const char* encrypted, int first_line, std::string_view keyword,
+                          const File& file)
+    {
+        const long above = count_lines({begin, static_cast<std::size_t>(encrypted - begin)});
+        report_.error({file.index, first_line + static_cast<int>(above)}, upper(keyword), "",
+                      "the data from here on are encrypted; only LS-DYNA itself can read them");
+    }
+
+    /// From one keyword to the next.
     void scan_text(std::string_view text, File& file)
     {
-        LineCursor cursor(text, 1);
-        std::string_view line;
-        bool found = false, encrypted = false;
-        Block block;
-        const char* begin = text.data();
-        while (!file.ended) {
-            const char* line_begin = cursor.position();
-            const bool more = cursor.next(line);
-            if (more && line.starts_with("-----BEGIN PGP") && !encrypted) {
-                encrypted = true;
-                report_.error({file.index, cursor.line()}, upper(block.keyword.name), "",
-                              "the data from here on are encrypted; only LS-DYNA itself can read them");
-            }
-            if (more && (line.empty() || line.front() != '*')) continue;
-            if (found) {
-                block.text = std::string_view(begin, line_begin - begin);
-                block.lines = cursor.line() - block.where.line - (more ? 1 : 0);
-                if (!encrypted) take(block, file);
-            } else if (!trimmed(first_data_line({begin, static_cast<std::size_t>(line_begin - begin)}))
-                            .empty()) {
-                report_.warning({file.index, 1}, "", "", "text before the first keyword is not read");
-            }
-            if (!more || file.ended) break;
-            found = true;
-            encrypted = false;
-            start_block(line, cursor.line(), file, block);
-            begin = cursor.position();
-        }
+        const char* const end = text.data() + text.size();
+        TextRelease release(*deck_.files[file.index], text);
+        const Extent before = extent_from(text.data(), end, release);
+        const bool found = before.end != end;
+        if (found &&
+            !trimmed(first_data_line({text.data(), static_cast<std::size_t>(before.end - text.data())}))
+                 .empty())
+            report_.warning({file.index, 1}, "", "", "text before the first keyword is not read");
         if (!found && file.master)
             report_.error({file.index, 1}, "", "",
                           text.empty() ? "the file is empty"
                                        : "no keyword (a line starting with *) found: "
                                          "this is not a keyword deck");
+        if (before.encrypted) report_encrypted(text.data(), before.encrypted, 1, "", file);
+        int line = 1 + static_cast<int>(before.line_ends);
+        Block block;
+        for (const char* at = before.end; at != end && !file.ended;) {
+            LineCursor cursor({at, static_cast<std::size_t>(end - at)}, line);
+            std::string_view keyword;
+            cursor.next(keyword);
+            start_block(keyword, line, file, block);
+            const char* const begin = cursor.position();
+            const Extent extent = extent_from(begin, end, release);
+            block.text = std::string_view(begin, extent.end - begin);
+            block.lines =
+                static_cast<int>(extent.line_ends + (!block.text.empty() && block.text.back() != '\n'));
+            if (extent.encrypted) {
+                report_encrypted(begin, extent.encrypted, line + 1, block.keyword.name, file);
+            } else {
+                take(block, file);
+            }
+            at = extent.end;
+            line += 1 + static_cast<int>(extent.line_ends);
+        }
     }
 
     static std::string_view first_data_line(std::string_view text)
@@ -171,11 +218,22 @@ private:
     /// Obeys the block, or keeps it.
     void take(const Block& block, File& file)
     {
+        if (!obey(block, file)) {
+            deck_.blocks.push_back(block);
+            return;
+        }
+        Deck::Obeyed& obeyed = deck_.obeyed[block.keyword.name];
+        if (obeyed.number++ == 0) obeyed.first = block.where;
+    }
+
+    /// False when the block is none of those that the scan obeys.
+    bool obey(const Block& block, File& file)
+    {
         const std::string& name = block.keyword.name;
         if (name == "END") {
             file.ended = true;
         } else if (name == "KEYWORD" || name.starts_with("COMMENT")) {
-            return;
+            return true;
         } else if (name == "TITLE") {
             deck_.title = trimmed(first_data_line(block.text));
         } else if (name == "PARAMETER_EXPRESSION" || name.starts_with("PARAMETER_EXPRESSION_")) {
@@ -200,8 +258,9 @@ private:
                     name == "INCLUDE_PATH" || given.is_absolute() ? given : start_directory_ / given);
             }
         } else {
-            deck_.blocks.push_back(block);
+            return false;
         }
+        return true;
     }
 
     /// Four pairs of name and value to a line.
@@ -331,6 +390,8 @@ private:
             report_.error(where, "INCLUDE", "FILENAME", fmt::format("'{}' includes itself", name));
         } else if (fs::is_directory(path, ignored)) {
             report_.error(where, "INCLUDE", "FILENAME", fmt::format("'{}' is a directory, not a deck", name));
+        } else if (!fs::is_regular_file(path, ignored)) { // a pipe or a device may keep us waiting for ever
+            report_.error(where, "INCLUDE", "FILENAME", fmt::format("'{}' is not a regular file", name));
         } else if (open_.size() >= deepest_include) {
             report_.error(
                 where, "INCLUDE", "FILENAME",
@@ -339,7 +400,9 @@ private:
             report_.error(where, "INCLUDE", "FILENAME",
                           fmt::format("more than {} files are included", most_files));
         } else {
-            scan_file(path.lexically_normal().string(), where, block.minimum_width, transform);
+            const std::string file = path.lexically_normal().string();
+            scan_file([&] { return std::make_unique<TextFile>(file); }, file, where, block.minimum_width,
+                      transform);
         }
     }
 
@@ -358,7 +421,9 @@ private:
                 }
             }
         }
-        if (const fs::path found = in_a_folder_below(file.directory, native(name)); !found.empty()) {
+        if (const fs::path found =
+                fs::path(name).is_absolute() ? fs::path() : in_a_folder_below(file.directory, native(name));
+            !found.empty()) {
             report_.warning(
                 where, "INCLUDE", "FILENAME",
                 fmt::format("there is no file '{}' beside the deck: '{}' is taken", name, found.string()));
@@ -390,8 +455,10 @@ bool Block::has(std::string_view option) const
     return std::find(keyword.options.begin(), keyword.options.end(), option) != keyword.options.end();
 }
 
-Deck scan_deck(const std::string& path, const std::vector<std::pair<std::string, std::string>>& overrides,
-               Report& report)
+namespace {
+
+Deck scan(const std::string& path, const std::optional<std::string_view>& text,
+          const std::vector<std::pair<std::string, std::string>>& overrides, Report& report)
 {
     Deck deck;
     for (const auto& [name, value] : overrides) {
@@ -399,10 +466,24 @@ Deck scan_deck(const std::string& path, const std::vector<std::pair<std::string,
             report.error({}, "", "",
                          fmt::format("--set {}={}: a parameter needs a name and a value", name, value));
     }
-    Scanner(deck, report).scan_deck(path);
+    Scanner(deck, report).scan_deck(path, text);
     for (const std::string& name : deck.parameters.unused_overrides())
         report.error({}, "", "", fmt::format("--set {}: the deck defines no such parameter", name));
     return deck;
+}
+
+} // namespace
+
+Deck scan_deck(const std::string& path, const std::vector<std::pair<std::string, std::string>>& overrides,
+               Report& report)
+{
+    return scan(path, std::nullopt, overrides, report);
+}
+
+Deck scan_deck_text(const std::string& path, std::string_view text,
+                    const std::vector<std::pair<std::string, std::string>>& overrides, Report& report)
+{
+    return scan(path, text, overrides, report);
 }
 
 } // namespace plash

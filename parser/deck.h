@@ -6,6 +6,7 @@
 #include "parser/report.h"
 #include "parser/text_file.h"
 
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -32,6 +33,11 @@ struct Deck {
     std::vector<std::string> names; ///< of the files, as opened
     std::vector<std::unique_ptr<TextFile>> files;
     std::vector<Block> blocks; ///< without those that the scan itself obeys (includes, parameters, comments)
+    struct Obeyed {
+        long number = 0;
+        Location first;
+    };
+    std::map<std::string, Obeyed> obeyed; ///< blocks that the scan obeys, by keyword
     std::vector<std::unique_ptr<IncludeTransform>> transforms;
     Parameters parameters;
     std::string title;
@@ -41,5 +47,10 @@ struct Deck {
 /// Reads the files, obeys *INCLUDE, *PARAMETER, *KEYWORD, *TITLE and *END, and cuts the rest into blocks.
 Deck scan_deck(const std::string& path, const std::vector<std::pair<std::string, std::string>>& overrides,
                Report& report);
+
+/// The same for a deck whose text stands in memory and outlives the Deck; includes are looked for beside
+/// `path`.
+Deck scan_deck_text(const std::string& path, std::string_view text,
+                    const std::vector<std::pair<std::string, std::string>>& overrides, Report& report);
 
 } // namespace plash

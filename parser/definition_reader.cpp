@@ -33,7 +33,8 @@ DefinitionReader::DefinitionReader(const Block& block, const Parameters& paramet
       layout_(*block.keyword.layout),
       parameters_(parameters),
       report_(report),
-      cursor_(block.text, block.where.line + 1)
+      cursor_(block.text, block.where.line + 1),
+      last_data_(end_of_data(block.text))
 {}
 
 bool DefinitionReader::peek(std::string_view& line) const
@@ -44,11 +45,7 @@ bool DefinitionReader::peek(std::string_view& line) const
 
 bool DefinitionReader::only_blank_lines_left() const
 {
-    LineCursor ahead = cursor_;
-    std::string_view line;
-    while (ahead.next_data(line))
-        if (!trimmed(line).empty()) return false;
-    return true;
+    return cursor_.position() >= last_data_;
 }
 
 bool DefinitionReader::next(Record& record)
@@ -194,14 +191,39 @@ DefinitionReader::Value DefinitionReader::value_of(const FieldLayout& field, std
         report_.error(where, layout_.name, field.name, fmt::format("'{}' is not a whole number", text));
         return value;
     }
+    if (field.type == FieldType::integer && std::abs(number) > largest_whole) {
+        report_.error(where, layout_.name, field.name,
+                      fmt::format("'{}' is too large for a whole number", text));
+        return value;
+    }
     // A zero says "default" in this format, so it is never a wish of its own.
     if (number == 0 && field.default_value != 0 && field.type == FieldType::integer)
         number = field.default_value;
     value.given = number != field.default_value;
+    if (field.type == FieldType::real && number != 0 && block_.transform && block_.transform->units.change())
+        number = in_units_of_the_deck(field, number, where);
     value.number = field.kind == Kind::none
                        ? number
                        : static_cast<double>(block_.number(field.kind, std::llround(number)));
     return value;
+}
+
+double DefinitionReader::in_units_of_the_deck(const FieldLayout& field, double number, Location where)
+{
+    // What the points of a curve are is told by who uses it.
+    const bool later =
+        (layout_.name.starts_with("DEFINE_CURVE") || layout_.name.starts_with("DEFINE_TABLE")) &&
+        (field.name == "A1" || field.name == "O1" || field.name == "VALUE" || field.name == "OFFA" ||
+         field.name == "OFFO");
+    if (later) return number;
+    const std::optional<Dimension> dimension = dimension_of(layout_.name, field.name);
+    const std::optional<double> factor = dimension ? block_.transform->units.of(*dimension) : std::nullopt;
+    if (factor) return number * *factor;
+    report_.error(where, layout_.name, field.name,
+                  dimension ? "temperatures cannot be converted (FCTTEM of *INCLUDE_TRANSFORM)"
+                            : "Plash does not know the unit of this field and cannot convert it as "
+                              "*INCLUDE_TRANSFORM asks: convert the file beforehand");
+    return number;
 }
 
 void DefinitionReader::add_absent(const CardLayout& card, Record& record)

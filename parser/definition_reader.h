@@ -34,6 +34,7 @@ private:
     void add_absent(const CardLayout& card, Record& record);
     void cut_next_line(const std::vector<FieldLayout>& fields);
     Value value_of(const FieldLayout& field, std::string_view token, Location where);
+    double in_units_of_the_deck(const FieldLayout& field, double number, Location where);
     bool holds(const CardLayout& card, const Record& record, std::string_view line) const;
     double evaluate(std::string_view expression, const Record& record) const;
     long count_of(const CardLayout& card, const Record& record) const;
@@ -44,6 +45,7 @@ private:
     const Parameters& parameters_;
     Report& report_;
     LineCursor cursor_;
+    const char* last_data_; ///< behind it the block holds blank lines and comments only
     CardCutter cutter_;
     std::vector<std::string_view> tokens_;
     std::vector<std::pair<std::string, Value>> row_; ///< named values of the row being read, for conditions

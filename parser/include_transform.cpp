@@ -3,6 +3,8 @@
 #include "parser/definition_reader.h"
 #include "parser/number.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace plash {
@@ -76,12 +78,22 @@ void read_include_transform(const Block& block, const Parameters& parameters, Re
     transform.curve += record.integer("IDFOFF");
     transform.define += record.integer("IDDOFF");
     transform.other += record.integer("IDROFF");
-    for (const char* factor : {"FCTMAS", "FCTTIM", "FCTLEN"}) {
-        const double value = record.real(factor);
-        if (value != 0 && value != 1)
-            report.error(record.peek(factor)->where, record.keyword, factor,
-                         "a change of units is not supported: convert the file beforehand");
-    }
+    const auto factor = [&](std::string_view field) {
+        const double value = record.real(field, 1);
+        if (value < 0)
+            report.error(record.peek(field)->where, record.keyword, std::string(field),
+                         fmt::format("a factor of {:g} is not positive", value));
+        return value > 0 ? value : 1;
+    };
+    transform.units.mass *= factor("FCTMAS");
+    transform.units.time *= factor("FCTTIM");
+    transform.units.length *= factor("FCTLEN");
+    if (const std::string_view scale = record.text("FCTTEM");
+        !scale.empty() && scale != "1" && scale != "1.0")
+        transform.units.temperature = true;
+    for (const char* field : {"PREFIX", "SUFFIX"})
+        if (!record.text(field).empty())
+            report.warning(record.peek(field)->where, record.keyword, field, "titles stay as they are");
     if (const Id id = record.integer("TRANID"); id != 0)
         transform.transformations.emplace(transform.transformations.begin(), id,
                                           record.peek("TRANID")->where);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parser/layout.h"
+#include "parser/units.h"
 
 #include <vector>
 
@@ -12,6 +13,8 @@ struct IncludeTransform {
     Id node = 0, element = 0, part = 0, material = 0, set = 0, curve = 0, define = 0, other = 0;
     std::vector<std::pair<Id, Location>>
         transformations; ///< *DEFINE_TRANSFORMATION and who asks, innermost first
+
+    UnitFactors units; ///< outer and inner factors multiply
 
     /// What is added to the number of a thing of this kind.
     Id offset(Kind kind) const;

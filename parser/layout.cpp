@@ -9,6 +9,9 @@
 namespace plash {
 namespace {
 
+/// Of a keyword with all its options: the longest ones of the manual stay below 100.
+constexpr std::size_t longest_keyword = 200;
+
 /// Spelling that does not depend on case or on `-` against `_`.
 std::string index_form(std::string_view name)
 {
@@ -106,7 +109,12 @@ const KeywordLayout* LayoutTable::find(std::string_view name) const
 KeywordName LayoutTable::resolve(std::string_view written) const
 {
     KeywordName result;
-    std::vector<std::string> tokens = split_at_underscores(index_form(trimmed(written)));
+    written = trimmed(written);
+    if (written.size() > longest_keyword) { // every split into name and options is tried below
+        result.name = std::string(written.substr(0, longest_keyword)) + "...";
+        return result;
+    }
+    std::vector<std::string> tokens = split_at_underscores(index_form(written));
     pad_law_number(tokens);
     // The longest known name in front, the rest must be its options.
     const auto try_tokens = [&](const std::vector<std::string>& parts, std::vector<std::string> options) {

@@ -97,7 +97,7 @@ bool parse_whole(std::string_view token, std::int64_t& value)
     if (text.size() < 18 && parse_digits(text.data(), text.data() + text.size(), value))
         return is_digit(text.back());
     double real = 0;
-    if (!parse_real(text, real) || real != std::floor(real) || std::abs(real) > 9e15) return false;
+    if (!parse_real(text, real) || real != std::floor(real) || std::abs(real) > largest_whole) return false;
     value = static_cast<std::int64_t>(real);
     return true;
 }

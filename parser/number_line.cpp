@@ -13,7 +13,14 @@ NumberLine::NumberLine(const Block& block, Reading& reading, std::vector<FieldLa
 {
     for (const FieldLayout& field : fields_)
         columns_.push_back({field_width(field, block.minimum_width), field.type == FieldType::integer,
-                            block.transform ? block.transform->offset(field.kind) : 0});
+                            block.transform ? block.transform->offset(field.kind) : 0, factor_of(field)});
+}
+
+double NumberLine::factor_of(const FieldLayout& field) const
+{
+    if (!block_.transform || field.name.empty() || field.type != FieldType::real) return 1;
+    const std::optional<Dimension> dimension = dimension_of(block_.keyword.name, field.name);
+    return dimension ? block_.transform->units.of(*dimension).value_or(1) : 1;
 }
 
 bool NumberLine::read_slowly(std::string_view line, int number)
@@ -39,8 +46,12 @@ bool NumberLine::read_slowly(std::string_view line, int number)
         else if (fault.empty() && fields_[i].type == FieldType::integer &&
                  values_[i] != std::floor(values_[i]))
             fault = fmt::format("'{}' is not a whole number", text);
+        else if (fault.empty() && fields_[i].type == FieldType::integer &&
+                 std::abs(values_[i]) > largest_whole)
+            fault = fmt::format("'{}' is too large for a whole number", text);
         if (fault.empty()) {
             if (values_[i] != 0) values_[i] += static_cast<double>(columns_[i].offset);
+            values_[i] *= columns_[i].factor;
             continue;
         }
         reading_.report.error(where, keyword, fields_[i].name, fault);

@@ -22,12 +22,14 @@ public:
             const char* stop = end - at > columns_[i].width ? at + columns_[i].width : end;
             if (columns_[i].whole) {
                 std::int64_t whole = 0;
-                plain = parse_digits(at, stop, whole);
+                plain = (columns_[i].width == 8 && stop - at == 8 && parse_eight_digits(at, whole)) ||
+                        parse_digits(at, stop, whole);
                 values_[i] = static_cast<double>(whole != 0 ? whole + columns_[i].offset : 0);
             } else {
                 values_[i] = 0;
                 plain =
                     parse_real({at, static_cast<std::size_t>(stop - at)}, values_[i]) || is_blank(at, stop);
+                values_[i] *= columns_[i].factor;
             }
             at = stop;
         }
@@ -41,7 +43,8 @@ private:
     struct Column {
         int width;
         bool whole;
-        Id offset; ///< of the include, for numbers of things
+        Id offset;     ///< of the include, for numbers of things
+        double factor; ///< of the include, from its units to those of the deck
     };
 
     static bool is_blank(const char* at, const char* stop)
@@ -50,6 +53,7 @@ private:
         return at == stop;
     }
     bool read_slowly(std::string_view line, int number);
+    double factor_of(const FieldLayout& field) const;
 
     const Block& block_;
     Reading& reading_;

@@ -3,22 +3,15 @@
 #include "parser/mesh_checks.h"
 #include "parser/number.h"
 #include "parser/reading.h"
+#include "parser/references.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace plash {
 namespace {
-
-/// A number in a definition that must be the number of something else.
-struct Reference {
-    Kind kind;
-    Id id;
-    Location where;
-    const KeywordLayout* layout;
-    const FieldLayout* field;
-};
 
 /// Two definitions with the same number are compared by their values, not kept.
 std::size_t fingerprint(const Record& record)
@@ -47,18 +40,28 @@ public:
                 if (phase_of(block) == static_cast<Phase>(phase)) read(block);
             finish(static_cast<Phase>(phase));
         }
-        check_references();
+        convert_foreign_curves(reading_);
+        references_.check(reading_);
         check_parts();
         check_mesh(reading_.model, reading_.report);
         check_units(reading_.model, reading_.report);
+        count_unused(reading_);
         count_keywords();
     }
 
 private:
-    static Phase phase_of(const Block& block)
+    /// Decks have many blocks and few keywords.
+    const Translator* translator_of(const Block& block)
+    {
+        const auto [known, added] = translators_.try_emplace(block.keyword.layout, nullptr);
+        if (added) known->second = find_translator(block.keyword.name);
+        return known->second;
+    }
+
+    Phase phase_of(const Block& block)
     {
         if (!block.keyword.layout) return last_phase;
-        if (const Translator* translator = find_translator(block.keyword.name)) return translator->phase;
+        if (const Translator* translator = translator_of(block)) return translator->phase;
         if (block.keyword.name.starts_with("ELEMENT_")) return Phase::elements;
         if (block.keyword.name.starts_with("PART_")) return Phase::parts;
         return block.keyword.layout->defines() == Kind::none ? Phase::conditions : Phase::properties;
@@ -70,7 +73,7 @@ private:
             reading_.report.warning(block.where, block.keyword.name, "", "unknown keyword: not read");
             return;
         }
-        const Translator* translator = find_translator(block.keyword.name);
+        const Translator* translator = translator_of(block);
         if (translator && translator->block) {
             translator->block(block, reading_);
             reading_.deck.files[block.where.file]->release(block.text);
@@ -85,8 +88,9 @@ private:
                 translator->definition(record, block, reading_);
             else
                 reading_.model.others.push_back(record);
-            if (kind != Kind::none) reading_.table(kind).add(record.id, last_index(kind));
-            collect_references(record, *block.keyword.layout);
+            if (kind != Kind::none)
+                reading_.table(kind).add(record.id, translator ? last_index(kind) : other_index(kind));
+            references_.collect(record, *block.keyword.layout, reading_);
             if (!is_kept_record(kind)) list_fields(record, *block.keyword.layout, reading_.report);
         }
     }
@@ -135,6 +139,8 @@ private:
             return last(model.hourglass);
         case Kind::part:
             return last(model.parts);
+        case Kind::rigid_body:
+            return last(model.nodal_rigid_bodies);
         case Kind::curve:
             return last(model.curves);
         case Kind::table:
@@ -155,9 +161,37 @@ private:
             return last(model.shell_sets);
         case Kind::solid_set:
             return last(model.solid_sets);
+        case Kind::beam_set:
+            return last(model.beam_sets);
+        case Kind::tshell_set:
+            return last(model.thick_shell_sets);
+        case Kind::discrete_set:
+            return last(model.discrete_sets);
+        case Kind::beam:
+            return last(model.beams.id);
+        case Kind::discrete:
+            return last(model.discretes.id);
+        case Kind::mass:
+            return last(model.masses.id);
         default:
             return last(model.others);
         }
+    }
+
+    /// Position of a definition that went into `others`; `none` when things of its kind are looked for in a
+    /// list of their own (a *DEFINE_BOX_LOCAL is a box, but none of Model::boxes).
+    Index other_index(Kind kind) const
+    {
+        const Model& model = reading_.model;
+        const Index last = static_cast<Index>(model.others.size()) - 1;
+        const bool own_list =
+            kind == Kind::curve || kind == Kind::table || kind == Kind::coordinate || kind == Kind::vector ||
+            kind == Kind::box || kind == Kind::part || kind == Kind::node_set || kind == Kind::segment_set ||
+            kind == Kind::part_set || kind == Kind::shell_set || kind == Kind::solid_set ||
+            kind == Kind::beam_set || kind == Kind::tshell_set || kind == Kind::discrete_set ||
+            is_kept_record(kind) || kind == Kind::beam || kind == Kind::discrete || kind == Kind::mass ||
+            kind == Kind::shell || kind == Kind::solid || kind == Kind::tshell;
+        return own_list ? none : last;
     }
 
     void finish(Phase phase)
@@ -172,7 +206,10 @@ private:
                 reading_.table(Kind::tetrahedron).add(model.tetrahedra.id[i], static_cast<Index>(i));
             finish_elements(model.thick_shells, Kind::tshell, "ELEMENT_TSHELL");
         }
-        if (phase == Phase::sets) finish_sets(reading_);
+        if (phase == Phase::sets) {
+            finish_sets(reading_);
+            finish_nodal_rigid_bodies(reading_);
+        }
         if (phase == Phase::conditions) {
             finish_loads(reading_);
             finish_contacts(reading_);
@@ -258,57 +295,6 @@ private:
         return {};
     }
 
-    void collect_references(const Record& record, const KeywordLayout& layout)
-    {
-        if (layout.name.starts_with("SET_")) return; // their members are checked when they are resolved
-        for (const CardLayout& card : layout.cards) collect_references(record, layout, card);
-    }
-
-    void collect_references(const Record& record, const KeywordLayout& layout, const CardLayout& card)
-    {
-        for (const FieldLayout& field : card.fields) {
-            if (field.kind == Kind::none || field.defines) continue;
-            if (card.repeat == CardLayout::Repeat::once) {
-                const Record::Field* found = record.peek(field.name);
-                if (found && found->value > 0)
-                    references_.push_back(
-                        {field.kind, static_cast<Id>(found->value), found->where, &layout, &field});
-                continue;
-            }
-            for (const Table& table : record.tables) {
-                for (std::size_t column = 0; column < table.columns.size(); ++column) {
-                    if (table.columns[column] != field.name) continue;
-                    for (std::size_t row = 0; row < table.rows(); ++row)
-                        if (table.at(row, column) > 0)
-                            references_.push_back({field.kind,
-                                                   static_cast<Id>(table.at(row, column)),
-                                                   {record.where.file, table.lines[row]},
-                                                   &layout,
-                                                   &field});
-                }
-            }
-        }
-        for (const CardLayout& inner : card.group) collect_references(record, layout, inner);
-    }
-
-    bool exists(Kind kind, Id id)
-    {
-        if (reading_.table(kind).find(id) != none) return true;
-        if (kind == Kind::thermal_material) return true; // nobody looks for it without a thermal analysis
-        if (kind == Kind::part) return reading_.table(Kind::rigid_body).find(id) != none;
-        return kind == Kind::curve && (reading_.table(Kind::table).find(id) != none ||
-                                       reading_.table(Kind::function).find(id) != none);
-    }
-
-    void check_references()
-    {
-        for (const Reference& reference : references_) {
-            if (exists(reference.kind, reference.id)) continue;
-            reading_.report.error(reference.where, reference.layout->name, reference.field->name,
-                                  fmt::format("there is no {} {}", to_string(reference.kind), reference.id));
-        }
-    }
-
     void check_parts()
     {
         const Model& model = reading_.model;
@@ -327,11 +313,14 @@ private:
             }
         };
         report(reading_.parts_without_section, "SECID", "section");
-        report(reading_.parts_without_material, "MID", "material");
+        if (!reading_.heat_only) report(reading_.parts_without_material, "MID", "material");
     }
 
     void count_keywords()
     {
+        for (const auto& [keyword, blocks] : reading_.deck.obeyed)
+            reading_.report.keywords[keyword] = {keyword, KeywordStatus::run, blocks.number, "",
+                                                 blocks.first};
         for (const Block& block : reading_.deck.blocks) {
             KeywordUse& use = reading_.report.keywords[block.keyword.name];
             if (use.blocks++ > 0) continue;
@@ -378,19 +367,24 @@ private:
         std::size_t print;
         Location where;
     };
-    static constexpr int most_located = 100;
+    static constexpr int most_located = 20;
     Reading reading_;
+    std::unordered_map<const KeywordLayout*, const Translator*> translators_;
     int located_ = 0;
     std::map<std::pair<Kind, Id>, Seen> seen_;
-    std::vector<Reference> references_;
+    References references_;
 };
 
 } // namespace
 
-ReadResult read_model(const std::string& path, const ReadOptions& options)
+namespace {
+
+/// `scan` cuts the deck into blocks; what it reports comes before all else.
+template <class Scan>
+ReadResult read_scanned(Scan&& scan)
 {
     ReadResult result;
-    Deck deck = scan_deck(path, options.parameters, result.report);
+    const Deck deck = scan(result.report);
     result.bytes = deck.bytes;
     result.model.files = deck.names;
     result.model.title = deck.title;
@@ -398,6 +392,19 @@ ReadResult read_model(const std::string& path, const ReadOptions& options)
     result.report.close();
     result.ok = result.report.ok();
     return result;
+}
+
+} // namespace
+
+ReadResult read_model(const std::string& path, const ReadOptions& options)
+{
+    return read_scanned([&](Report& report) { return scan_deck(path, options.parameters, report); });
+}
+
+ReadResult read_model_text(const std::string& path, std::string_view text, const ReadOptions& options)
+{
+    return read_scanned(
+        [&](Report& report) { return scan_deck_text(path, text, options.parameters, report); });
 }
 
 void list_unread_fields(const Model& model, Report& report)

@@ -4,6 +4,7 @@
 #include "parser/report.h"
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,10 @@ struct ReadResult {
 /// report. Values of property records (sections, materials ...) that are still unread are not yet listed as
 /// ignored: call list_unread_fields() after the physics has been set up from the Model.
 ReadResult read_model(const std::string& path, const ReadOptions& options = {});
+
+/// The same for a deck whose text stands in memory; `path` is its name in messages and where its includes are
+/// looked for.
+ReadResult read_model_text(const std::string& path, std::string_view text, const ReadOptions& options = {});
 
 /// Completes the report: every non-default value of the Model's property records that nobody has read is
 /// listed as ignored.

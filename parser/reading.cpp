@@ -5,10 +5,10 @@ namespace {
 
 /// Every family of keywords that has a translation of its own.
 constexpr std::span<const Translator> (*families[])() = {
-    node_keywords,       solid_keywords,    shell_keywords,   element_keywords,
-    property_keywords,   part_keywords,     curve_keywords,   geometry_keywords,
-    set_keywords,        boundary_keywords, load_keywords,    initial_keywords,
-    rigid_wall_keywords, contact_keywords,  control_keywords, database_keywords,
+    node_keywords,    solid_keywords,   shell_keywords,    element_keywords,     property_keywords,
+    part_keywords,    curve_keywords,   geometry_keywords, set_keywords,         boundary_keywords,
+    load_keywords,    initial_keywords, damping_keywords,  termination_keywords, rigid_wall_keywords,
+    contact_keywords, control_keywords, database_keywords, constrained_keywords, ale_keywords,
 };
 
 bool matches(std::string_view pattern, std::string_view keyword)
@@ -19,6 +19,14 @@ bool matches(std::string_view pattern, std::string_view keyword)
 }
 
 } // namespace
+
+BodyNumber Reading::find_body(Id id)
+{
+    if (id == 0) return none;
+    if (const Index part = table(Kind::part).find(id); part != none) return part;
+    const Index body = table(Kind::rigid_body).find(id);
+    return body == none ? none : static_cast<Index>(model.parts.size()) + body;
+}
 
 void Reading::error(const Record& record, std::string_view field, std::string text)
 {

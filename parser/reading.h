@@ -8,7 +8,9 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
+#include <unordered_set>
 
 namespace plash {
 
@@ -29,6 +31,19 @@ struct PendingSet {
     Index index; ///< into the Model's sets of this kind
     Record record;
     const Block* block;
+};
+
+/// A field that names a curve or a table, and what it takes its points to be.
+struct CurveUse {
+    std::string keyword, field;
+    std::optional<CurveDimensions> dimensions; ///< nothing: Plash does not know
+};
+
+/// *CONSTRAINED_NODAL_RIGID_BODY, until its node set is known: belongs to the nodal rigid body at its place.
+struct PendingBody {
+    Record record;
+    const Block* block;
+    bool held, has_inertia;
 };
 
 /// *CONTROL_CONTACT, until all contacts are read.
@@ -58,10 +73,37 @@ struct Reading {
     std::vector<std::pair<const Block*, Index>>
         moved_nodes;                                   ///< first node of each block that an include moves
     std::map<const IncludeTransform*, Affine> motions; ///< of the includes that move what they hold
+    std::vector<std::pair<Index, const UnitFactors*>> foreign_curves,
+        foreign_tables; ///< of includes with units of their own
+    std::map<Id, std::vector<CurveUse>>
+        curve_uses; ///< by the number of a curve or table; filled when there are such
     std::vector<PendingSet> pending_sets;
+    std::vector<PendingBody> pending_bodies;
     std::vector<Index> parts_without_section, parts_without_material; ///< SECID, MID left at zero
     std::vector<Index> body_load_parts;                               ///< of *LOAD_BODY_PARTS
+    bool heat_only = false; ///< *CONTROL_SOLUTION SOLN = 1: parts need no structural material
     ContactDefaults contact_defaults;
+
+    std::unordered_set<Id> used[static_cast<std::size_t>(Kind::count)]; ///< numbers that something refers to
+
+    /// Nodes and elements are not counted this way: there may be millions.
+    void use(Kind kind, Id id)
+    {
+        if (kind > Kind::seatbelt) used[static_cast<std::size_t>(kind)].insert(id);
+    }
+    /// Where a curve may stand, a table may stand as well.
+    bool is_used(Kind kind, Id id) const
+    {
+        return used[static_cast<std::size_t>(kind)].contains(id) ||
+               (kind == Kind::table && is_used(Kind::curve, id));
+    }
+
+    /// Position of the thing that a definition refers to; `none` when there is no such.
+    Index look_up(Kind kind, Id id)
+    {
+        use(kind, id);
+        return table(kind).find(id);
+    }
 
     IdTable& table(Kind kind) { return ids[static_cast<std::size_t>(kind)]; }
 
@@ -70,8 +112,11 @@ struct Reading {
     Index find(const Record& record, std::string_view field, Kind kind)
     {
         const Id id = record.integer(field);
-        return id == 0 ? none : table(kind).find(id);
+        return id == 0 ? none : look_up(kind, id);
     }
+
+    /// Body with a number: a part or a nodal rigid body; `none` for zero and where there is neither.
+    BodyNumber find_body(Id id);
 
     /// What the include of a block does to its points and directions.
     Affine motion_of(const Block& block) const
@@ -110,11 +155,15 @@ std::span<const Translator> geometry_keywords();
 std::span<const Translator> set_keywords();
 std::span<const Translator> boundary_keywords();
 std::span<const Translator> load_keywords();
+std::span<const Translator> damping_keywords();
+std::span<const Translator> termination_keywords();
 std::span<const Translator> initial_keywords();
 std::span<const Translator> rigid_wall_keywords();
 std::span<const Translator> contact_keywords();
 std::span<const Translator> control_keywords();
+std::span<const Translator> constrained_keywords();
 std::span<const Translator> database_keywords();
+std::span<const Translator> ale_keywords();
 
 /// Moves the nodes of includes as their transformations say.
 void move_included_nodes(Reading& reading);
@@ -123,7 +172,15 @@ void move_included_nodes(Reading& reading);
 void finish_tables(Reading& reading);
 void finish_sets(Reading& reading);
 void finish_loads(Reading& reading);
+void finish_nodal_rigid_bodies(Reading& reading);
 void finish_contacts(Reading& reading);
+
+/// Brings the points of curves and tables of includes with other units into those of the deck.
+void convert_foreign_curves(Reading& reading);
+/// The mass properties that *PART_INERTIA and its kin share; `system_field` names a coordinate system, or
+/// none.
+PartInertia read_inertia(const Record& record, const Block& block, std::string_view system_field,
+                         Reading& reading);
 
 /// Nodes of the elements of some parts, each once, in rising order.
 std::vector<Index> nodes_of_parts(const Model& model, const std::vector<Index>& parts);

@@ -8,6 +8,29 @@ namespace {
 /// Messages of one kind that are listed in full; more would bury the others.
 constexpr long listed_of_a_kind = 10;
 
+/// Longest text of a message: what a deck holds in one field may be a megabyte.
+constexpr std::size_t longest_text = 400;
+
+/// Control characters of the deck as `\\xNN`, and no more than a person will read.
+std::string printable(std::string text)
+{
+    std::size_t length = text.size();
+    if (length > longest_text) {
+        length = longest_text;
+        while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0) == 0x80)
+            --length; // inside UTF-8
+    }
+    std::string result;
+    for (const char character : std::string_view(text).substr(0, length)) {
+        const auto code = static_cast<unsigned char>(character);
+        if (code < 0x20 || code == 0x7f)
+            result += fmt::format("\\x{:02x}", code);
+        else
+            result += character;
+    }
+    return length < text.size() ? result + "..." : result;
+}
+
 } // namespace
 
 std::string_view to_string(KeywordStatus status)
@@ -32,7 +55,10 @@ void Report::add(std::vector<Message>& list, std::map<std::string, Count>& count
     Count& count = counts[message.keyword + '/' + message.field];
     ++count.number;
     count.last = message.where;
-    if (count.number <= listed_of_a_kind) list.push_back(std::move(message));
+    if (count.number > listed_of_a_kind) return;
+    message.keyword = printable(std::move(message.keyword));
+    message.text = printable(std::move(message.text));
+    list.push_back(std::move(message));
 }
 
 void Report::error(Location where, std::string_view keyword, std::string_view field, std::string text)

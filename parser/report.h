@@ -2,6 +2,7 @@
 
 #include "model/record.h"
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -46,6 +47,13 @@ struct IgnoredField {
     std::string reason;
 };
 
+/// Things of one kind that the deck defines and does not use.
+struct Unused {
+    std::string what; ///< in the plural, e.g. "curves"
+    long count = 0;
+    std::int64_t first = 0; ///< number of the first one
+};
+
 /// Everything there is to say about a deck besides the Model.
 class Report {
 public:
@@ -53,6 +61,7 @@ public:
     std::vector<Message> warnings;
     std::map<std::string, KeywordUse> keywords;
     std::vector<IgnoredField> ignored;
+    std::vector<Unused> unused;
     struct {
         long honoured = 0, ignored = 0, unsupported = 0;
     } fields; ///< non-default values by what becomes of them

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace plash {
 namespace {
@@ -25,6 +26,18 @@ constexpr ElementOption element_options[] = {
     {"TSHELL", "SET_TSHELL", Kind::tshell, Kind::tshell_set},
     {"DISC", "SET_DISC", Kind::discrete, Kind::discrete_set},
 };
+
+/// Segments of `kept` that `other` has as well, wherever each begins and whichever way it goes round.
+void keep_common(const SetResolver::Segments& other, SetResolver::Segments& kept)
+{
+    const auto sorted = [](std::array<Index, 4> segment) {
+        std::sort(segment.begin(), segment.end());
+        return segment;
+    };
+    std::set<std::array<Index, 4>> known;
+    for (const auto& segment : other) known.insert(sorted(segment));
+    std::erase_if(kept, [&](const auto& segment) { return !known.contains(sorted(segment)); });
+}
 
 std::string_view option_of(const Table& table, std::size_t row)
 {
@@ -113,6 +126,24 @@ void SetResolver::add_general(const Record& record, const Table& table, Kind set
     members.erase(std::unique(members.begin(), members.end()), members.end());
 }
 
+/// *SET_NODE_ADD_ADVANCED: nodes of sets of every type.
+void SetResolver::add_advanced(const Record& record, const Table& table, Members& members)
+{
+    constexpr std::string_view options[] = {"SET_NODE", "SET_SHELL", "SET_BEAM",  "SET_SOLID",
+                                            "SET_SEG",  "SET_DISC",  "SET_TSHELL"};
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const Row at{record, table.lines[row], table.columns.front()};
+        const Id id = static_cast<Id>(table.at(row, 0)), type = static_cast<Id>(table.at(row, 1));
+        if (id == 0) continue; // an empty pair at the end of a line
+        if (type < 1 || type > 7)
+            reading_.report.error(
+                {record.where.file, at.line}, record.keyword, "TYPE",
+                fmt::format("set {}: there is no type {} of sets; 1 to 7 are", record.id, type));
+        else
+            general_nodes(at, options[type - 1], id, members);
+    }
+}
+
 bool SetResolver::general(const Row& row, std::string_view option, Kind member, Id id, Members& found)
 {
     if (option == "ALL" || option.empty()) return true;
@@ -145,17 +176,18 @@ bool SetResolver::general_nodes(const Row& row, std::string_view option, Id id, 
         if (kind == Kind::node_set) {
             if (const Members* other = other_set(row, kind, number))
                 found.insert(found.end(), other->begin(), other->end());
-        } else if (const Index index = reading_.table(kind).find(number); index == none) {
+        } else if (const Index index = reading_.look_up(kind, number); index == none) {
             report_missing(row, kind, number);
-        } else {
-            resolve(kind, index);
+        } else if (resolve(kind, index)) {
             for (const auto& segment : model_.segment_sets[index].segments)
                 found.insert(found.end(), segment.begin(), segment.end());
         }
         return true;
     }
     for (const ElementOption& known : element_options) {
-        if (option != known.element && option != known.set) continue;
+        const bool own_set =
+            option == "SET" && row.record.keyword.starts_with("SET_" + std::string(known.element));
+        if (option != known.element && option != known.set && !own_set) continue;
         Members elements;
         if (option == known.element)
             add_one(row, known.kind, block_->number(known.kind, id), elements);
@@ -192,7 +224,7 @@ void SetResolver::add_parts(Kind member, const Members& parts, Members& found)
 /// Nodes inside a box; elements with all their nodes inside.
 void SetResolver::add_box(const Row& row, Kind member, Id id, Members& found)
 {
-    const Index index = reading_.table(Kind::box).find(id);
+    const Index index = reading_.look_up(Kind::box, id);
     if (index == none || static_cast<std::size_t>(index) >= model_.boxes.size()) {
         report_missing(row, Kind::box, id);
         return;
@@ -221,14 +253,17 @@ void SetResolver::add_segments(const Record& record, SegmentSet& set)
                                                       option_of(table, row)));
             } else {
                 const Id id = static_cast<Id>(table.at(row, 0));
-                const Index index = reading_.table(Kind::segment_set).find(id);
+                const Index index = reading_.look_up(Kind::segment_set, id);
                 if (index == none) {
                     report_missing({record, table.lines[row], table.columns.front()}, Kind::segment_set, id);
                     continue;
                 }
-                resolve(Kind::segment_set, index);
+                if (!resolve(Kind::segment_set, index)) continue;
                 const Segments& other = model_.segment_sets[index].segments;
-                set.segments.insert(set.segments.end(), other.begin(), other.end());
+                if (record.keyword == "SET_SEGMENT_INTERSECT" && row > 0)
+                    keep_common(other, set.segments);
+                else
+                    set.segments.insert(set.segments.end(), other.begin(), other.end());
             }
         }
     }

@@ -7,6 +7,9 @@
 namespace plash {
 namespace {
 
+/// Sets inside sets: more would be a mistake, and each takes its share of the stack.
+constexpr int deepest_set = 1000;
+
 /// Sorted, each once: sums and differences of sets work on this form.
 void tidy(SetResolver::Members& members)
 {
@@ -45,17 +48,23 @@ void SetResolver::run()
     for (const auto& [key, numbers] : by_set_) resolve(key.first, key.second);
 }
 
-void SetResolver::resolve(Kind kind, Index index)
+bool SetResolver::resolve(Kind kind, Index index)
 {
     const auto pending = by_set_.find({kind, index});
-    if (pending == by_set_.end() || states_[{kind, index}] == State::done) return;
-    if (states_[{kind, index}] == State::open) {
+    if (pending == by_set_.end()) return true;
+    State& state = states_[{kind, index}];
+    if (state == State::done) return true;
+    if (state == State::open || depth_ == deepest_set) {
         const Record& record = reading_.pending_sets[pending->second.front()].record;
-        reading_.report.error(record.where, record.keyword, "SID",
-                              fmt::format("set {} contains itself by way of other sets", record.id));
-        return;
+        reading_.report.error(
+            record.where, record.keyword, "SID",
+            state == State::open
+                ? fmt::format("set {} contains itself by way of other sets", record.id)
+                : fmt::format("set {} lies more than {} sets deep in other sets", record.id, deepest_set));
+        return false;
     }
-    states_[{kind, index}] = State::open;
+    state = State::open;
+    ++depth_;
     for (std::size_t number : pending->second) {
         const Record& record = reading_.pending_sets[number].record;
         const Block* outer = block_;
@@ -66,7 +75,9 @@ void SetResolver::resolve(Kind kind, Index index)
             add_members(record, kind, members_of(kind, index));
         block_ = outer;
     }
-    states_[{kind, index}] = State::done;
+    --depth_;
+    state = State::done;
+    return true;
 }
 
 SetResolver::Members& SetResolver::members_of(Kind set, Index index)
@@ -163,13 +174,12 @@ void SetResolver::add_range(Kind kind, Id first, Id last, Id step, Members& memb
 
 const SetResolver::Members* SetResolver::other_set(const Row& row, Kind set, Id id)
 {
-    const Index index = reading_.table(set).find(id);
+    const Index index = reading_.look_up(set, id);
     if (index == none) {
         report_missing(row, set, id);
         return nullptr;
     }
-    resolve(set, index);
-    return &members_of(set, index);
+    return resolve(set, index) ? &members_of(set, index) : nullptr;
 }
 
 void SetResolver::add_members(const Record& record, Kind set, Members& members)
@@ -179,6 +189,10 @@ void SetResolver::add_members(const Record& record, Kind set, Members& members)
     for (const Table& table : record.tables) {
         if (name.ends_with("_GENERAL")) {
             add_general(record, table, set, members);
+            continue;
+        }
+        if (name.ends_with("_ADD_ADVANCED")) {
+            add_advanced(record, table, members);
             continue;
         }
         for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -199,7 +213,7 @@ void SetResolver::add_members(const Record& record, Kind set, Members& members)
             }
         }
     }
-    if (name.ends_with("_ADD")) tidy(members);
+    if (name.ends_with("_ADD") || name.ends_with("_ADVANCED")) tidy(members);
 }
 
 void SetResolver::intersect(const Members* other, bool first, Members& members)

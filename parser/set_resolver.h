@@ -29,7 +29,8 @@ private:
     };
 
     static Kind member_kind(Kind set);
-    void resolve(Kind kind, Index index);
+    /// Fills the set, unless that is done; false (and reported) when it is being filled right now.
+    bool resolve(Kind kind, Index index);
     void report_missing(const Row& row, Kind kind, Id id);
 
     Members& members_of(Kind set, Index index);
@@ -46,6 +47,7 @@ private:
     const Members* other_set(const Row& row, Kind set, Id id);
     static void intersect(const Members* other, bool first, Members& members);
 
+    void add_advanced(const Record& record, const Table& table, Members& members);
     void add_general(const Record& record, const Table& table, Kind set, Members& members);
     bool general(const Row& row, std::string_view option, Kind member, Id id, Members& found);
     bool general_nodes(const Row& row, std::string_view option, Id id, Members& found);
@@ -63,6 +65,7 @@ private:
         nullptr; ///< of the record in work: numbers in _GENERAL need the offsets of its include
     std::map<Key, std::vector<std::size_t>> by_set_; ///< positions in Reading::pending_sets
     std::map<Key, State> states_;
+    int depth_ = 0; ///< sets that are being filled, each inside the one before
 };
 
 } // namespace plash

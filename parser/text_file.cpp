@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -22,6 +23,16 @@ struct Descriptor {
 /// Pipes and devices are read to their end, but not without bound.
 constexpr std::size_t largest_stream = std::size_t{4} << 30;
 
+/// Text never holds a zero byte; every binary result file of this field holds one at its start.
+void refuse_binary(std::string_view text, const std::string& path)
+{
+    if (text.substr(0, 4096).find('\0') != std::string_view::npos)
+        throw FileError(fmt::format("'{}' is a binary file, not a keyword deck", path));
+    // A disk that ran full leaves a file of the right length.
+    if (text.size() > 4096 && text.substr(text.size() - 4096).find('\0') != std::string_view::npos)
+        throw FileError(fmt::format("'{}' ends in zero bytes: it was not written to its end", path));
+}
+
 std::string read_stream(int descriptor, const std::string& path)
 {
     std::string text;
@@ -32,6 +43,7 @@ std::string read_stream(int descriptor, const std::string& path)
         if (count == 0) return text;
         if (text.size() > largest_stream) throw FileError(fmt::format("'{}' does not end", path));
         text.append(buffer, count);
+        refuse_binary(text, path); // at once: a device may never end
     }
 }
 
@@ -59,12 +71,61 @@ TextFile::TextFile(const std::string& path)
         mapping_ = address;
         text_ = std::string_view(static_cast<const char*>(address), status.st_size);
     }
-    // Text never holds a zero byte; every binary result file of this field holds one at its start.
-    const std::string_view start = text_.substr(0, 4096);
-    if (start.find('\0') != std::string_view::npos) {
+    try {
+        refuse_binary(text_, path);
+    } catch (const FileError&) {
         if (mapping_) ::munmap(mapping_, text_.size());
-        throw FileError(fmt::format("'{}' is a binary file, not a keyword deck", path));
+        throw;
     }
+}
+
+TextFile::TextFile(const std::string& path, std::string_view text) : text_(text)
+{
+    refuse_binary(text, path);
+}
+
+long count_lines(std::string_view text)
+{
+    // In bytes, as many lanes as fit: one byte cannot overflow within 255 rounds.
+    constexpr std::size_t lanes = 64, rounds = 255;
+    long count = 0;
+    const char* at = text.data();
+    std::size_t left = text.size();
+    while (left >= lanes) {
+        std::uint8_t found[lanes]{};
+        const std::size_t steps = std::min(left / lanes, rounds);
+        for (std::size_t step = 0; step < steps; ++step, at += lanes)
+            for (std::size_t lane = 0; lane < lanes; ++lane) found[lane] += at[lane] == '\n';
+        for (const std::uint8_t lane : found) count += lane;
+        left -= steps * lanes;
+    }
+    return count + std::count(at, at + left, '\n');
+}
+
+const char* find_line(std::string_view part, std::string_view start, const char* begin)
+{
+    for (std::size_t from = 0; from < part.size();) {
+        const void* found = ::memmem(part.data() + from, part.size() - from, start.data(), start.size());
+        if (!found) return nullptr;
+        const char* at = static_cast<const char*>(found);
+        if (at == begin || at[-1] == '\n') return at;
+        from = at - part.data() + 1;
+    }
+    return nullptr;
+}
+
+const char* end_of_data(std::string_view text)
+{
+    while (!text.empty()) {
+        const std::size_t begin = text.find_last_of('\n', text.size() - 1);
+        const std::size_t first = begin == std::string_view::npos ? 0 : begin + 1;
+        const std::string_view line = text.substr(first);
+        if (!line.empty() && line.front() != '$' && line.find_first_not_of(" \t\r") != std::string_view::npos)
+            return line.data() + line.size();
+        if (begin == std::string_view::npos) break;
+        text = text.substr(0, begin);
+    }
+    return text.data();
 }
 
 void TextFile::release(std::string_view part) const

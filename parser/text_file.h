@@ -18,6 +18,8 @@ class TextFile {
 public:
     /// Throws FileError when there is no such file, it is a directory, unreadable or not text.
     explicit TextFile(const std::string& path);
+    /// Text that stands in memory already and outlives this object; `path` is for messages.
+    TextFile(const std::string& path, std::string_view text);
     ~TextFile();
     TextFile(const TextFile&) = delete;
     TextFile& operator=(const TextFile&) = delete;
@@ -32,6 +34,35 @@ private:
     std::string_view text_;
     std::string copy_; ///< what was read, when the file could not be mapped (pipes)
     void* mapping_ = nullptr;
+};
+
+/// Number of line ends.
+long count_lines(std::string_view text);
+
+/// The first line that starts with a word in a part of some text; nullptr when there is none. The byte before
+/// the part tells whether it starts with a line; `begin` is where the whole text begins.
+const char* find_line(std::string_view part, std::string_view start, const char* begin);
+
+/// Where the last line ends that is neither blank nor a `$` comment; the text's begin when there is none.
+const char* end_of_data(std::string_view text);
+
+/// Gives the memory of a text back while somebody reads through it from front to back.
+class TextRelease {
+public:
+    TextRelease(const TextFile& file, std::string_view text) : file_(file), from_(text.data()) {}
+
+    /// Everything before `at` is done with.
+    void up_to(const char* at)
+    {
+        constexpr std::ptrdiff_t worth_it = 16 << 20;
+        if (at - from_ < worth_it) return;
+        file_.release({from_, static_cast<std::size_t>(at - from_)});
+        from_ = at;
+    }
+
+private:
+    const TextFile& file_;
+    const char* from_;
 };
 
 /// Walks through text line by line: no copy, line ends LF or CRLF.

@@ -1,5 +1,7 @@
 #include "parser/transformation.h"
 
+#include "parser/number.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -46,11 +48,14 @@ private:
         report_.error({record_.where.file, line_}, record_.keyword, field, std::move(text));
     }
 
+    /// Numbers of points and nodes stand in real fields here: one that no whole number holds names nothing.
+    static Id number_of(double value) { return std::abs(value) < largest_whole ? std::llround(value) : 0; }
+
     std::optional<Affine> step_of(const std::string& option)
     {
         const Vec3 first{a_[0], a_[1], a_[2]}, second{a_[3], a_[4], a_[5]};
         if (option == "POINT") {
-            points_[static_cast<Id>(a_[0])] = {a_[1], a_[2], a_[3]};
+            points_[number_of(a_[0])] = {a_[1], a_[2], a_[3]};
             return std::nullopt;
         }
         if (option == "SCALE") {
@@ -75,7 +80,7 @@ private:
 
     std::optional<Vec3> named_point(double number, bool nodes)
     {
-        const Id id = static_cast<Id>(number);
+        const Id id = number_of(number);
         if (!nodes)
             if (const auto found = points_.find(id); found != points_.end()) return found->second;
         if (nodes)

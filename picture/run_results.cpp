@@ -36,6 +36,12 @@ double von_mises(const double* s)
     return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
+/// Pressure of six components; tension counts as none.
+double pressure(const double* s)
+{
+    return std::max(0.0, -(s[0] + s[1] + s[2]) / 3);
+}
+
 double magnitude(const double* v)
 {
     return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -65,6 +71,33 @@ void add_values(vtkDataSetAttributes* data, vtkIdType count, const std::vector<s
     data->AddArray(values);
 }
 
+/// A particle is shown as an octahedron as large as its share of the space: `radius` from middle to corner.
+void append_particle(const double* middle, double radius, float value, bool value_of_points, Surface& surface)
+{
+    const int first = static_cast<int>(surface.points.size());
+    for (int axis = 0; axis < 3; ++axis) {
+        for (double side : {-radius, radius}) {
+            std::array<float, 3> corner;
+            for (int i = 0; i < 3; ++i) {
+                corner[i] = static_cast<float>(middle[i] + (i == axis ? side : 0));
+            }
+            surface.points.push_back(corner);
+            if (value_of_points) surface.point_values.push_back(value);
+        }
+    }
+    for (int x : {0, 1}) {
+        for (int y : {2, 3}) {
+            for (int z : {4, 5}) {
+                surface.polygons.push_back({first + x, first + y, first + z});
+                if (!value_of_points) surface.cell_values.push_back(value);
+            }
+        }
+    }
+}
+
+/// Half of the spacing of particles over their smoothing length, for the usual 1.2.
+constexpr double radius_share = 0.42;
+
 /// Appends the outside of a grid that carries the values.
 void append_outside(vtkUnstructuredGrid* grid, Surface& surface)
 {
@@ -81,9 +114,19 @@ void append_outside(vtkUnstructuredGrid* grid, Surface& surface)
         if (point_values) surface.point_values.push_back(static_cast<float>(point_values->GetTuple1(i)));
     }
     vtkDataArray* cell_values = outside->GetCellData()->GetArray(value_name);
+    vtkDataArray* smoothing = outside->GetCellData()->GetArray("RadiusOfInfluence");
+    if (!smoothing) smoothing = outside->GetCellData()->GetArray("smoothing_length");
     vtkNew<vtkIdList> corners;
     for (vtkIdType i = 0; i < outside->GetNumberOfCells(); ++i) {
         outside->GetCellPoints(i, corners);
+        if (corners->GetNumberOfIds() == 1 && smoothing) {
+            vtkDataArray* values = point_values ? point_values : cell_values;
+            const vtkIdType row = point_values ? corners->GetId(0) : i;
+            append_particle(outside->GetPoint(corners->GetId(0)), radius_share * smoothing->GetTuple1(i),
+                            values ? static_cast<float>(values->GetTuple1(row)) : 0, point_values != nullptr,
+                            surface);
+            continue;
+        }
         std::vector<int>& polygon = surface.polygons.emplace_back();
         for (vtkIdType corner : *corners) polygon.push_back(first + static_cast<int>(corner));
         if (cell_values) surface.cell_values.push_back(static_cast<float>(cell_values->GetTuple1(i)));
@@ -152,6 +195,9 @@ struct RunResults::D3plotSource : RunResults::Source {
             case Quantity::plastic_strain:
                 cells({"EffPlastStrn", "EffPlastStrnInnerSurf", "EffPlastStrnOuterSurf"}, itself);
                 break;
+            case Quantity::pressure:
+                cells({"Stress", "StressInnerSurf", "StressOuterSurf"}, pressure);
+                break;
             case Quantity::velocity:
                 points("Velocity");
                 break;
@@ -200,6 +246,9 @@ struct RunResults::VtuSource : RunResults::Source {
             break;
         case Quantity::plastic_strain:
             cells("plastic_strain");
+            break;
+        case Quantity::pressure:
+            add_values(grid->GetCellData(), grid->GetNumberOfCells(), {"stress"}, pressure);
             break;
         case Quantity::velocity:
             points("velocity");

@@ -15,6 +15,7 @@ struct Named {
 constexpr Named quantities[] = {
     {Quantity::von_mises, "von_mises", "von Mises stress"},
     {Quantity::plastic_strain, "plastic_strain", "effective plastic strain"},
+    {Quantity::pressure, "pressure", "pressure"},
     {Quantity::velocity, "velocity", "velocity"},
     {Quantity::displacement, "displacement", "displacement"},
 };

@@ -18,7 +18,7 @@ struct Surface {
 };
 
 /// Something that pictures can be coloured by.
-enum class Quantity { von_mises, plastic_strain, velocity, displacement };
+enum class Quantity { von_mises, plastic_strain, pressure, velocity, displacement };
 
 /// By its name on the command line: "von_mises" ... Throws std::runtime_error naming the choices.
 Quantity quantity_named(const std::string& name);

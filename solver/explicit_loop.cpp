@@ -2,7 +2,10 @@
 
 #include "core/run_error.h"
 #include "solver/motion.h"
+#include "solver/restart.h"
+#include "solver/sense_switches.h"
 #include "solver/step_control.h"
+#include "solver/terminations.h"
 
 #include <chrono>
 #include <cmath>
@@ -62,6 +65,58 @@ void write_due(Recorders& recorders, const Snapshot& snapshot)
     }
 }
 
+/// What a person or the deck asks for between two cycles.
+struct Requests {
+    bool ended = false;      ///< the deck ends the run after the next cycle
+    bool stop = false;       ///< a person does
+    bool plot_state = false; ///< write one in the next cycle
+};
+
+bool at_end(const Scene& scene, const Outcome& outcome)
+{
+    const long last_cycle = scene.model.controls.time.end_cycle;
+    return outcome.clock.time >= outcome.end_time || (last_cycle > 0 && outcome.clock.cycle >= last_cycle);
+}
+
+/// Writes the restart files that fall due, and does what sense switches ask for.
+Requests between_cycles(RestartFiles& files, SenseSwitches& switches, const RunParts& run)
+{
+    Requests requests;
+    Outcome& outcome = run.outcome;
+    files.write_due(run);
+    if (const auto reason = run.terminations.reason(outcome.clock)) {
+        requests.ended = true;
+        outcome.message = *reason;
+    }
+    if (run.scene.model.controls.output.restart.dump_cycles > 0 && at_end(run.scene, outcome)) {
+        files.write_dump(run);
+    }
+    switch (switches.poll()) {
+    case SenseSwitch::none:
+        break;
+    case SenseSwitch::end_with_restart_file:
+        requests.stop = true;
+        outcome.message = "stopped on request";
+        if (files.on()) outcome.message += "; goes on with --restart " + files.write_dump(run);
+        break;
+    case SenseSwitch::tell_time:
+        fmt::print("\n  cycle {}   t = {:.6e}   step {:.4e}\n", outcome.clock.cycle, outcome.clock.time,
+                   outcome.clock.last_step);
+        break;
+    case SenseSwitch::restart_file:
+        files.write_dump(run);
+        break;
+    case SenseSwitch::plot_state:
+        requests.plot_state = true;
+        break;
+    case SenseSwitch::end_with_plot_state:
+        requests.stop = requests.plot_state = true;
+        outcome.message = "stopped on request";
+        break;
+    }
+    return requests;
+}
+
 } // namespace
 
 Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
@@ -74,12 +129,22 @@ Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
     State& state = scene.state;
     Clock& clock = outcome.clock;
     StepControl step_control(scene.model);
+    Terminations terminations(scene);
+    const RunParts parts{scene, step_control, terminations, outcome, recorders};
+    const bool restarted = !options.restart_from.empty();
+    const int last_dump = restarted ? load_run(options.restart_from, parts) : 0;
+    RestartFiles restart_files(not_restartable(scene) ? RestartOptions{} : options.restart,
+                               scene.model.controls.output.restart, last_dump);
+    SenseSwitches switches(options.restart.directory, options.stop_requested);
+    const double wall_before = outcome.wall_seconds;
     const auto snapshot = [&] {
+        outcome.wall_seconds = wall_before + seconds_since(start);
         return Snapshot{scene.model,         clock, state, scene.ledger, scene.terms, step_control.owner(),
-                        seconds_since(start)};
+                        outcome.wall_seconds};
     };
 
     try {
+        Requests requests;
         while (true) {
             state.clear_forces();
             each_term(scene, outcome.term_seconds, [&](Term& term) { term.add_forces(clock, state); });
@@ -89,12 +154,11 @@ Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
             close_ledger(scene, kinetic);
             check_finite(scene);
             write_due(recorders, snapshot());
-
-            const bool stop = options.stop_requested && options.stop_requested->load();
-            const bool last_cycle = control.end_cycle > 0 && clock.cycle >= control.end_cycle;
-            if (stop) outcome.termination = Outcome::Termination::stopped;
-            if (stop) outcome.message = "stopped on request";
-            if (stop || last_cycle || clock.time >= outcome.end_time) break;
+            if (requests.plot_state) {
+                for (auto& recorder : recorders) recorder->write_on_request(snapshot());
+            }
+            if (requests.stop) outcome.termination = Outcome::Termination::stopped;
+            if (requests.stop || requests.ended || at_end(scene, outcome)) break;
 
             for (auto& recorder : recorders) recorder->follow(clock, state);
             advance_positions(clock, state);
@@ -102,11 +166,15 @@ Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
             clock.time += clock.step;
             clock.last_step = clock.step;
             ++clock.cycle;
+            requests = between_cycles(restart_files, switches, parts);
         }
     } catch (const RunError& error) {
         state.clear_forces(); // half-summed forces are no accelerations for the recorders' last state
         outcome.termination = Outcome::Termination::error;
         outcome.message = error.what();
+        if (!restart_files.last_written().empty()) {
+            outcome.message += "; the last restart file is " + restart_files.last_written();
+        }
     }
     for (auto& recorder : recorders) {
         try {
@@ -118,7 +186,7 @@ Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
     }
     outcome.first_step = step_control.first_step();
     outcome.last_step = clock.step;
-    outcome.wall_seconds = seconds_since(start);
+    outcome.wall_seconds = wall_before + seconds_since(start);
     return outcome;
 }
 

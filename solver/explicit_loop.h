@@ -13,10 +13,18 @@ namespace plash {
 
 using Recorders = std::vector<std::unique_ptr<Recorder>>;
 
+/// Where restart files go, and how often one is written though the deck does not ask for it.
+struct RestartOptions {
+    std::string directory; ///< empty: none are written, and no sense switch is looked for
+    double minutes = 0;    ///< of wall clock between runrsf files; 0: as the deck says
+};
+
 /// How and how far to run.
 struct RunOptions {
     double end_time = std::numeric_limits<double>::infinity(); ///< overrides a later ENDTIM [time]
     const std::atomic<bool>* stop_requested = nullptr;         ///< set from outside (Ctrl-C) to end in order
+    RestartOptions restart;
+    std::string restart_from; ///< path of the restart file with which the run goes on; empty: from the start
 };
 
 /// How a run ended, and what it took.
@@ -28,7 +36,7 @@ struct Outcome {
     double end_time = 0;
     double first_step = 0;
     double last_step = 0;
-    double wall_seconds = 0;
+    double wall_seconds = 0;          ///< of all parts of a run that was restarted
     std::vector<double> term_seconds; ///< by term of the scene
 };
 

@@ -1,17 +1,29 @@
 #include "solver/scene.h"
 
+#include "ale/coupling/fluid_coupling.h"
+#include "ale/fluid_term.h"
+#include "conditions/body_loads.h"
+#include "conditions/damping.h"
 #include "conditions/fixities.h"
 #include "conditions/initial_velocity.h"
 #include "conditions/loads.h"
+#include "conditions/non_reflecting.h"
 #include "conditions/prescribed_motion.h"
+#include "conditions/pressure_loads.h"
 #include "contact/contacts.h"
-#include "contact/planar_wall.h"
+#include "contact/rigid_wall.h"
+#include "contact/tied_nodes.h"
+#include "elements/beam_groups.h"
+#include "elements/discrete_springs.h"
 #include "elements/shell_groups.h"
 #include "elements/solid_groups.h"
+#include "rigid/interpolation.h"
+#include "rigid/linear_constraints.h"
 #include "rigid/rigid_bodies.h"
 #include "solver/rigid_parts.h"
 #include "sph/particle_bodies.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -25,9 +37,13 @@ void add_conditions(Scene& scene)
     const Model& model = scene.model;
     State& state = scene.state;
     if (!model.nodal_loads.empty()) scene.terms.push_back(std::make_unique<NodalLoads>(model));
+    if (!model.pressure_loads.empty()) scene.terms.push_back(std::make_unique<PressureLoads>(model));
     if (!model.body_loads.empty()) scene.terms.push_back(std::make_unique<BodyLoads>(model, state));
-    for (const PlanarWall& wall : model.planar_walls) {
-        scene.terms.push_back(std::make_unique<PlanarWallTerm>(wall, model, state));
+    if (!model.dampings.empty()) scene.terms.push_back(std::make_unique<Damping>(model, state));
+    if (!model.non_reflecting_boundaries.empty())
+        scene.terms.push_back(std::make_unique<NonReflecting>(model, state));
+    for (const RigidWall& wall : model.rigid_walls) {
+        scene.terms.push_back(std::make_unique<RigidWallTerm>(wall, model, state));
     }
     auto motions = std::make_unique<PrescribedMotions>(model, state);
     motions->start(state);
@@ -35,6 +51,18 @@ void add_conditions(Scene& scene)
     auto fixities = std::make_unique<Fixities>(model);
     fixities->stop_at_start(state);
     if (!fixities->empty()) scene.terms.push_back(std::move(fixities));
+}
+
+/// Fluids in Eulerian meshes and what couples them with structures.
+void add_eulerian_fluids(Scene& scene)
+{
+    std::vector<EulerianFluid*> fluids;
+    for (auto& fluid : make_eulerian_fluids(scene.model)) {
+        fluids.push_back(fluid.get());
+        scene.terms.push_back(std::move(fluid));
+    }
+    for (auto& coupling : make_fluid_couplings(scene.model, fluids, scene.state))
+        scene.terms.push_back(std::move(coupling));
 }
 
 /// *CONTROL_TIMESTEP DT2MS: the step that the deck wants, bought with mass. Negative: only where it is
@@ -45,15 +73,40 @@ void scale_masses(Scene& scene)
     if (wanted == 0) return;
     const double mass = std::accumulate(scene.state.mass.begin(), scene.state.mass.end(), 0.0);
     double added = 0;
-    for (auto& term : scene.terms) added += term->scale_mass(std::abs(wanted), wanted < 0, scene.state);
-    scene.added_mass_ratio = mass > 0 ? added / mass : 0;
+    for (auto& term : scene.terms) {
+        const double more = term->scale_mass(std::abs(wanted), wanted < 0, scene.state);
+        if (more != 0) scene.masses.added.emplace_back(term->name(), more);
+        added += more;
+    }
+    scene.added_mass_ratio = scene.masses.added_ratio = mass > 0 ? added / mass : 0;
+}
+
+/// Mass and centre of mass of all nodes, before rigid bodies take the masses of theirs.
+void weigh(Scene& scene)
+{
+    MassSummary& masses = scene.masses;
+    Vec3 first_moment{};
+    for (std::size_t node = 0; node < scene.state.size(); ++node) {
+        masses.mass += scene.state.mass[node];
+        first_moment += scene.state.mass[node] * scene.state.position[node];
+    }
+    if (masses.mass > 0) masses.center = (1 / masses.mass) * first_moment;
+}
+
+/// Joints, loads and drives of bodies: without bodies they are errors of the deck.
+bool asks_for_rigid_bodies(const Model& model)
+{
+    const auto& motions = model.prescribed_motions;
+    return !model.joints.empty() || !model.rigid_body_loads.empty() ||
+           std::any_of(motions.begin(), motions.end(),
+                       [](const PrescribedMotion& motion) { return motion.rigid_part != none; });
 }
 
 } // namespace
 
 Scene make_scene(const Model& model)
 {
-    Scene scene{model, {}, {}, {}, 0};
+    Scene scene{model, {}, {}, {}, 0, {}};
     State& state = scene.state;
     state.position = model.nodes.position;
     state.velocity.resize(state.size());
@@ -61,17 +114,30 @@ Scene make_scene(const Model& model)
     state.mass.resize(state.size());
     for (auto& group : make_shell_groups(model, state)) scene.terms.push_back(std::move(group));
     for (auto& group : make_solid_groups(model, state)) scene.terms.push_back(std::move(group));
+    for (auto& group : make_beam_groups(model, state)) scene.terms.push_back(std::move(group));
+    if (auto springs = make_springs(model, state)) scene.terms.push_back(std::move(springs));
     for (auto& body : make_particle_bodies(model, state)) scene.terms.push_back(std::move(body));
+    add_eulerian_fluids(scene);
     for (auto& contact : make_contacts(model)) scene.terms.push_back(std::move(contact));
     add_rigid_masses(model, state);
     for (std::size_t i = 0; i < model.masses.size(); ++i)
         state.mass[model.masses.node[i]] += model.masses.mass[i];
     scale_masses(scene);
+    weigh(scene);
+    auto tied = std::make_shared<TiedNodes>(model, state);
+    if (!tied->empty()) scene.terms.push_back(std::make_unique<TiedForces>(tied));
     apply_initial_velocities(model, state);
+    auto [interpolated_forces, interpolated_motion] = make_interpolations(model, state);
+    if (interpolated_forces) scene.terms.push_back(std::move(interpolated_forces));
+    RigidSetup bodies = make_rigid_bodies(model, state); // sees the velocities before fixities stop nodes
     add_conditions(scene);
-    std::vector<RigidBody> bodies = make_rigid_bodies(model, state);
-    if (!bodies.empty())
+    if (!bodies.bodies.empty() || asks_for_rigid_bodies(model))
         scene.terms.push_back(std::make_unique<RigidBodies>(model, std::move(bodies), state));
+    if (!tied->empty())
+        scene.terms.push_back(std::make_unique<TiedMotion>(tied)); // after all that moves corners
+    if (auto constraints = make_linear_constraints(model, state))
+        scene.terms.push_back(std::move(constraints));
+    if (interpolated_motion) scene.terms.push_back(std::move(interpolated_motion));
     return scene;
 }
 

@@ -5,6 +5,7 @@
 #include "core/state.h"
 #include "core/term.h"
 #include "model/model.h"
+#include "output/model_summary.h"
 
 #include <memory>
 #include <vector>
@@ -18,6 +19,7 @@ struct Scene {
     std::vector<std::unique_ptr<Term>> terms;
     EnergyLedger ledger;
     double added_mass_ratio = 0; ///< mass added for *CONTROL_TIMESTEP DT2MS over the mass of the deck [-]
+    MassSummary masses;
 };
 
 /// Builds the scene at t = 0: masses, terms, initial velocities. DeckError where the deck asks for physics

@@ -19,6 +19,7 @@ public:
 
     const StepVote& owner() const { return owner_; }
     double first_step() const { return first_step_; }
+    void serialise(Archive& archive) { archive(first_step_); }
 
 private:
     const Model& model_;

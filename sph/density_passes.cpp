@@ -1,22 +1,39 @@
-#include "sph/density_rate.h"
 #include "sph/pair_passes.h"
 
 #include <algorithm>
 
 namespace plash {
 
-void sum_density_rates(Kernel kernel, int dimension, double half_step, const std::vector<NeighbourRun>& runs,
-                       ParticleArrays& arrays)
+namespace {
+
+template <bool diffusive, class K>
+void sum_rates(int dimension, double half_step, const DensityDiffusion& diffusion,
+               const std::vector<NeighbourRun>& runs, ParticleArrays& arrays)
 {
     const auto count = static_cast<std::ptrdiff_t>(runs.size());
-    with_kernel(kernel, [&]<class K>(K) {
 #pragma omp parallel for schedule(dynamic) if (count > 1)
-        for (std::ptrdiff_t i = 0; i < count; ++i) {
-            const NeighbourRun& run = runs[i];
-            double* rate = arrays.rate.data() + run.begin;
-            std::fill_n(rate, run.length(), 0.0);
-            DensityRate<Lanes, K> pass(arrays.motion.data(), run.begin, dimension, half_step, rate);
-            walk_pairs<Lanes>(run, pass);
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const NeighbourRun& run = runs[i];
+        double* rate = arrays.rate.data() + run.begin;
+        double* spread = diffusive ? arrays.diffusion.data() + run.begin : nullptr;
+        std::fill_n(rate, run.length(), 0.0);
+        if constexpr (diffusive) std::fill_n(spread, run.length(), 0.0);
+        DensityRate<Lanes, K, diffusive> pass(arrays.motion.data(), run.begin, dimension, half_step, rate,
+                                              diffusion, spread);
+        walk_pairs<Lanes>(run, pass);
+    }
+}
+
+} // namespace
+
+void sum_density_rates(Kernel kernel, int dimension, double half_step, const std::vector<NeighbourRun>& runs,
+                       ParticleArrays& arrays, const DensityDiffusion& diffusion)
+{
+    with_kernel(kernel, [&]<class K>(K) {
+        if (diffusion.strength > 0) {
+            sum_rates<true, K>(dimension, half_step, diffusion, runs, arrays);
+        } else {
+            sum_rates<false, K>(dimension, half_step, diffusion, runs, arrays);
         }
     });
 }

@@ -4,54 +4,143 @@
 
 namespace plash {
 
+/// Density diffusion of the delta-SPH scheme, and the sources that the continuity loop needs for it.
+struct DensityDiffusion {
+    double strength = 0; ///< delta, 0.1 as a rule [-]
+    Vec3 gravity{};      ///< acceleration that the fluid at rest is stratified by [length/time^2]
+    const PushRecord* push = nullptr;    ///< by sorted place
+    const std::uint8_t* part = nullptr;  ///< by sorted place; density does not diffuse across parts,
+    const std::uint8_t* image = nullptr; ///< nor from images: a mirror shows water at rest upside down
+    bool volume_weighted = false;
+};
+
 /// Continuity by pairs: sum over neighbours of weight_j (v_i - v_j) . grad W_ij, the rate of density where
 /// weights are masses and the rate of the logarithm of density where they are volumes (Monaghan 2005). Taken
 /// with velocities at n - 1/2 at the positions of n - 1/2, so that it is centred in the step that it spans.
-template <class Lane, class Kernel>
+///
+/// With `diffusive` also the diffusion of Molteni & Colagrossi (2009),
+///   delta h c sum of 2 V_j (rho_j - rho_i - hydrostatic difference) (x_j - x_i) . grad W / r^2;
+/// taking the hydrostatic difference rho g . (x_j - x_i) / c^2 away, as Fourtakas et al. (2019) do, keeps
+/// still water still right up to its surface, where the plain term is inconsistent.
+template <class Lane, class Kernel, bool diffusive = false>
 class DensityRate {
 public:
-    /// records  of all particles; the run begins at `first`
-    /// rate     by particle of the run, zeroed; in and out
-    DensityRate(const MotionRecord* records, Index first, int dimension, double half_step, double* rate)
-        : records_(records), run_(records + first), steepness_(dimension), half_step_(half_step), rate_(rate)
+    /// records    of all particles; the run begins at `first`
+    /// rate       by particle of the run, zeroed; in and out
+    /// spread     rate of density by diffusion [mass/volume/time], likewise; only used if diffusive
+    DensityRate(const MotionRecord* records, Index first, int dimension, double half_step, double* rate,
+                const DensityDiffusion& diffusion = {}, double* spread = nullptr)
+        : records_(records),
+          run_(records + first),
+          first_(first),
+          steepness_(dimension),
+          half_step_(half_step),
+          rate_(rate),
+          diffusion_(diffusion),
+          spread_(spread)
     {}
 
     void open(Index particle)
     {
         own_ = Moving<Lane>::same(run_[particle]);
         sum_ = Lane{};
+        if constexpr (diffusive) {
+            const PushRecord& push = diffusion_.push[first_ + particle];
+            own_fluid_ = fluid_of(own_.weight, broadcast<Lane>(push.scale), broadcast<Lane>(push.sound));
+            part_ = diffusion_.part[first_ + particle];
+            spread_sum_ = Lane{};
+        }
     }
     void inside(const std::uint16_t* places)
     {
         const auto other = Moving<Lane>::load(run_, places);
-        const Lane approach = approach_to(other);
+        Vector3<Lane> apart;
+        Lane slope;
+        const Lane approach = approach_to(other, apart, slope);
         sum_ += other.weight * approach;
         add_to_places(rate_, places, own_.weight * approach);
+        if constexpr (diffusive) {
+            Lane volume;
+            const Lane flow = flow_from(first_, places, other, apart, slope, volume);
+            spread_sum_ += volume * flow;
+            add_to_places(spread_, places, -own_fluid_.volume * flow);
+        }
     }
     void outside(const Index* places)
     {
         const auto other = Moving<Lane>::load(records_, places);
-        sum_ += other.weight * approach_to(other);
+        Vector3<Lane> apart;
+        Lane slope;
+        sum_ += other.weight * approach_to(other, apart, slope);
+        if constexpr (diffusive) {
+            Lane volume;
+            const Lane flow = flow_from(0, places, other, apart, slope, volume);
+            spread_sum_ += volume * flow;
+        }
     }
-    void close(Index particle) { rate_[particle] += sum_of_lanes(sum_); }
+    void close(Index particle)
+    {
+        rate_[particle] += sum_of_lanes(sum_);
+        if constexpr (diffusive) spread_[particle] += sum_of_lanes(spread_sum_);
+    }
 
 private:
+    /// What diffusion needs of particles.
+    struct Fluid {
+        Lane volume, density, sound;
+    };
+
     const MotionRecord* records_;
     const MotionRecord* run_;
+    Index first_;
     Steepness<Kernel> steepness_;
     double half_step_;
     double* rate_;
+    DensityDiffusion diffusion_;
+    double* spread_;
     Moving<Lane> own_;
-    Lane sum_;
+    Lane sum_, spread_sum_;
+    Fluid own_fluid_;
+    std::uint8_t part_ = 0;
 
-    /// (v_i - v_j) . grad W
-    Lane approach_to(const Moving<Lane>& other) const
+    Fluid fluid_of(Lane weight, Lane scale, Lane sound) const
+    {
+        if (diffusion_.volume_weighted) return {weight, scale, sound};
+        return {weight * scale, reciprocal(scale), sound};
+    }
+
+    /// (v_i - v_j) . grad W, with grad W = -slope * apart
+    Lane approach_to(const Moving<Lane>& other, Vector3<Lane>& apart, Lane& slope) const
     {
         const Vector3<Lane> velocity = own_.velocity - other.velocity;
-        const Vector3<Lane> apart = own_.position - other.position - broadcast<Lane>(half_step_) * velocity;
+        apart = own_.position - other.position - broadcast<Lane>(half_step_) * velocity;
         const Lane square = dot(apart, apart) + tiny_square;
         const Lane inverse_smoothing = reciprocal(0.5 * (own_.smoothing + other.smoothing));
-        return -dot(apart, velocity) * steepness_(square, reciprocal_root(square), inverse_smoothing);
+        slope = steepness_(square, reciprocal_root(square), inverse_smoothing);
+        return -dot(apart, velocity) * slope;
+    }
+
+    /// Density that flows from the other particle per volume of it.
+    template <class Place>
+    Lane flow_from(Index first, const Place* places, const Moving<Lane>& other, const Vector3<Lane>& apart,
+                   Lane slope, Lane& volume) const
+    {
+        Lane push[4];
+        load_half_lines(&diffusion_.push[first].push, places, push);
+        const Fluid fluid = fluid_of(other.weight, push[1], push[2]);
+        volume = fluid.volume;
+        const Lane sound = 0.5 * (own_fluid_.sound + fluid.sound);
+        const Lane smoothing = 0.5 * (own_.smoothing + other.smoothing);
+        const Vec3& g = diffusion_.gravity;
+        const Lane depth = -(g.x * apart.x + g.y * apart.y + g.z * apart.z); // g . (x_j - x_i)
+        const Lane at_rest = 0.5 * (own_fluid_.density + fluid.density) * depth * reciprocal(sound * sound);
+        Lane same{};
+        for (int l = 0; l < lanes_in<Lane>; ++l) {
+            const Index place = first + places[l];
+            set_lane(same, l, diffusion_.part[place] == part_ && !diffusion_.image[place] ? 1.0 : 0.0);
+        }
+        return same * (2 * diffusion_.strength) * smoothing * sound * slope *
+               (fluid.density - own_fluid_.density - at_rest);
     }
 };
 

@@ -33,12 +33,16 @@ private:
             return gather(places, [&](Index p) { return array[p]; });
         };
         const Lanes rate = from(arrays.rate), before = from(arrays.density);
-        const Lanes density = advanced_density(part.volume_weighted, before, step * rate);
+        const Lanes flowed = advanced_density(part.volume_weighted, before, step * rate);
+        // Diffusion changes density without work: pressure does its own on what flow compresses.
+        const Lanes volume_change = part.density * (1.0 / flowed - 1.0 / before);
+        const Lanes density =
+            arrays.diffusion.empty() ? flowed : max(flowed + step * from(arrays.diffusion), 0.5 * flowed);
         const Lanes inverse_density = 1.0 / density;
         const Lanes compression = density * (1 / part.density);
         const PressureStep<Lanes> end =
             advance_pressure(eos_.evaluate(compression), from(arrays.energy), Lanes{}, from(arrays.pressure),
-                             part.density * (inverse_density - 1.0 / before), fluid_.lowest_pressure);
+                             volume_change, fluid_.lowest_pressure);
         const Lanes stiffness = eos_.evaluate(compression).stiffness(compression, end.pressure, end.energy);
         const Lanes floor = broadcast<Lanes>(1e-6 * eos_.bulk_modulus);
         const Lanes sound = sqrt(max(stiffness, floor) * (1 / part.density));

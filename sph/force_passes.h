@@ -6,6 +6,15 @@
 
 namespace plash {
 
+/// All pairs of a run. Flattened, so that sums and the opened particle stay in registers over the run.
+template <class K, bool tensor>
+[[gnu::flatten]] void sum_forces_of_run(const PairRecords& records, const NeighbourRun& run, int dimension,
+                                        const ArtificialViscosity& viscosity, ForceSums* sums)
+{
+    PairForce<Lanes, K, tensor> pass(records, run.begin, dimension, viscosity, sums);
+    walk_pairs<Lanes>(run, pass);
+}
+
 /// The force loop with scalar or tensor push; each is instantiated in a file of its own.
 template <bool tensor>
 void sum_forces(Kernel kernel, int dimension, const ArtificialViscosity& viscosity,
@@ -23,8 +32,7 @@ void sum_forces(Kernel kernel, int dimension, const ArtificialViscosity& viscosi
             for (std::ptrdiff_t i = 0; i < count; ++i) {
                 const NeighbourRun& run = runs[i];
                 std::fill_n(sums.begin(), run.length(), ForceSums{});
-                PairForce<Lanes, K, tensor> pass(records, run.begin, dimension, viscosity, sums.data());
-                walk_pairs<Lanes>(run, pass);
+                sum_forces_of_run<K, tensor>(records, run, dimension, viscosity, sums.data());
                 take(run, sums.data());
             }
         }

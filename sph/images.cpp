@@ -2,6 +2,7 @@
 
 #include "core/parallel.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plash {
@@ -33,6 +34,7 @@ Images::Images(std::span<const MirrorPlane> mirrors, std::span<const PeriodicPai
 {
     const Matrix3 identity = Matrix3::identity();
     for (const PeriodicPair& pair : periods_) {
+        first_lower_.push_back(pair.lower);
         const Vec3 along = unit(pair.period);
         steps_.push_back({{pair.lower, along, identity, pair.period, identity, {}},
                           {pair.lower + pair.period, -along, identity, -pair.period, identity, {}}});
@@ -62,6 +64,36 @@ Index Images::transform_after(Index first, const Step& step)
     }
     transforms_.push_back(both);
     return static_cast<Index>(transforms_.size()) - 1;
+}
+
+Vec3 Images::lower_now(std::size_t pair, const State& state, const std::vector<Vec3>& start) const
+{
+    const PeriodicPair& period = periods_[pair];
+    if (period.node == none) return first_lower_[pair];
+    const Vec3 along = unit(period.period);
+    const double moved = dot(state.position[period.node] - start[period.node], along);
+    return first_lower_[pair] + moved * along;
+}
+
+double Images::behind(const State& state, const std::vector<Vec3>& start) const
+{
+    double farthest = 0;
+    for (std::size_t i = 0; i < periods_.size(); ++i) {
+        farthest = std::max(farthest, norm(lower_now(i, state, start) - periods_[i].lower));
+    }
+    return farthest;
+}
+
+double Images::follow(const State& state, const std::vector<Vec3>& start)
+{
+    const double moved = behind(state, start);
+    for (std::size_t i = 0; i < periods_.size(); ++i) {
+        PeriodicPair& pair = periods_[i];
+        pair.lower = lower_now(i, state, start);
+        steps_[i][0].point = pair.lower; // periodic pairs come first
+        steps_[i][1].point = pair.lower + pair.period;
+    }
+    return moved;
 }
 
 bool Images::wrap(Vec3& position) const
@@ -105,6 +137,13 @@ void Images::settle(ParticleArrays& arrays)
     for (std::size_t k = 0; k < images_.size(); ++k) {
         source_place_[k] = place[images_[k].source];
         arrays.part[place_[k]] = arrays.part[source_place_[k]];
+    }
+}
+
+void Images::copy_skins(ParticleArrays& arrays) const
+{
+    for (std::size_t k = 0; k < images_.size(); ++k) {
+        arrays.skin[place_[k]] = arrays.skin[source_place_[k]];
     }
 }
 

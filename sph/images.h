@@ -20,10 +20,13 @@ struct MirrorPlane {
 };
 
 /// *BOUNDARY_SPH_PERIODIC: what leaves through one plane comes in through the other. The planes are parallel;
-/// `period` leads from the lower to the upper one.
+/// `period` leads from the lower to the upper one. *PLASH_SPH_MOVING_PERIODIC: they go along with a node, and
+/// what approaches the lower plane is calmed down (sph/moving_domain.h).
 struct PeriodicPair {
     Vec3 lower{}; ///< a point of the lower plane
     Vec3 period{};
+    Index node = none; ///< that the planes follow along the period
+    double calm = 0;   ///< length of the zone in front of the lower plane [length]
 };
 
 /// Mirror and periodic copies of the particles near boundaries.
@@ -34,6 +37,13 @@ public:
 
     bool any() const { return !steps_.empty(); }
 
+    /// Moves the planes of the pairs that follow a node to where the node is. Returns by how far the farthest
+    /// one has moved [length].
+    double follow(const State& state, const std::vector<Vec3>& start);
+    /// How far `follow` would move them.
+    double behind(const State& state, const std::vector<Vec3>& start) const;
+    std::span<const PeriodicPair> periods() const { return periods_; } ///< where they stand now
+
     /// Brings a particle that left through a periodic boundary back in; says whether it moved.
     bool wrap(Vec3& position) const;
 
@@ -41,9 +51,12 @@ public:
     void find(double range, std::vector<Vec3>& position);
 
     std::size_t size() const { return images_.size(); }
+    void serialise(Archive& archive) { archive(periods_, transforms_, images_, place_, source_place_); }
 
     /// After sorting: finds where images and their sources stand, and gives images the part of their source.
     void settle(ParticleArrays& arrays);
+    /// Copies skins from sources to images.
+    void copy_skins(ParticleArrays& arrays) const;
     /// Copies motion from sources to images, as the continuity equation sees walls.
     void refresh_motion(ParticleArrays& arrays) const;
     /// Copies motion and push, as pressure and viscosity see walls.
@@ -73,12 +86,14 @@ private:
     };
     std::vector<MirrorPlane> mirrors_;
     std::vector<PeriodicPair> periods_;
+    std::vector<Vec3> first_lower_;        ///< of the pairs at the start
     std::vector<std::vector<Step>> steps_; ///< by boundary; steps of one boundary do not build on each other
     std::vector<Transform> transforms_;    ///< the first one is the identity
     std::vector<Image> images_;
     std::vector<Index> place_;        ///< by image: its sorted place
     std::vector<Index> source_place_; ///< by image: its source's sorted place
 
+    Vec3 lower_now(std::size_t pair, const State& state, const std::vector<Vec3>& start) const;
     Index transform_after(Index first, const Step& step);
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/archive.h"
 #include "math/lanes.h"
 #include "sph/cells.h"
 
@@ -39,6 +40,7 @@ struct NeighbourRun {
     std::vector<Index> outside;        ///< sorted places
 
     Index length() const { return end - begin; }
+    void serialise(Archive& archive) { archive(begin, end, batches, inside, outside); }
 };
 
 /// Longest run; offsets in a run fit sixteen bits.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/archive.h"
 #include "math/symmetric_tensor.h"
 #include "math/tensor3.h"
 #include "math/vector3.h"
@@ -16,17 +17,21 @@ namespace plash {
 struct ParticleArrays {
     std::vector<MotionRecord> motion;
     std::vector<PushRecord> push;
-    std::vector<Index> particle;     ///< number in the order of creation; image k is number (real count) + k
-    std::vector<Index> node;         ///< index in the State; none for images
-    std::vector<std::uint8_t> part;  ///< part of the body, not of the Model
-    std::vector<std::uint8_t> image; ///< 1: an image
-    std::vector<double> mass;        ///< [mass]
-    std::vector<double> density;     ///< [mass/volume]
-    std::vector<double> rate;        ///< of density, or of its logarithm where weights are volumes [1/time]
-    std::vector<double> pressure;    ///< [stress]
-    std::vector<double> energy;      ///< internal energy by initial volume [energy/volume]
-    std::vector<Vec3> viscous_force; ///< share of viscosity in the last force [force]
-    std::vector<double> heat;        ///< its heating power [energy/time]
+    std::vector<Index> particle;      ///< number in the order of creation; image k is number (real count) + k
+    std::vector<Index> node;          ///< index in the State; none for images
+    std::vector<Index> element;       ///< place in Model::particles, for results; none: in none
+    std::vector<std::uint8_t> part;   ///< part of the body, not of the Model
+    std::vector<std::uint8_t> image;  ///< 1: an image
+    std::vector<std::uint8_t> asleep; ///< 1: outside of the active regions
+    std::vector<double> mass;         ///< [mass]
+    std::vector<double> density;      ///< [mass/volume]
+    std::vector<double> rate;         ///< of density, or of its logarithm where weights are volumes [1/time]
+    std::vector<double> diffusion;    ///< rate of density by diffusion; empty without [mass/volume/time]
+    std::vector<double> pressure;     ///< [stress]
+    std::vector<double> energy;       ///< internal energy by initial volume [energy/volume]
+    std::vector<Vec3> viscous_force;  ///< share of viscosity in the last force [force]
+    std::vector<double> heat;         ///< its heating power [energy/time]
+    std::vector<Vec3> drift;          ///< of the particles against their velocity; empty without [velocity]
 
     // Only of bodies whose push is a tensor.
     std::vector<TensionRecord> tension;
@@ -36,10 +41,18 @@ struct ParticleArrays {
     std::vector<double> history;                     ///< `history_size` variables of the law a particle
     int history_size = 0;
 
+    std::vector<double> skin;         ///< what it may move before the next search, twice [length]
     std::vector<Vec3> build_position; ///< at the last neighbour search [length]
     std::vector<double> build_smoothing;
 
     Index size() const { return static_cast<Index>(motion.size()); }
+
+    void serialise(Archive& archive)
+    {
+        archive(motion, push, particle, node, element, part, image, asleep, mass, density, rate, diffusion,
+                pressure, energy, viscous_force, heat, drift, tension, gradient, correction, stress, history,
+                skin, build_position, build_smoothing);
+    }
 };
 
 } // namespace plash

@@ -81,6 +81,7 @@ ParticlePart make_part(const Model& model, Index index, const std::vector<Index>
         const Index node = model.particles.node[element];
         const double mass = model.particles.mass[element];
         part.nodes.push_back(node);
+        part.elements.push_back(element);
         part.mass.push_back(mass < 0 ? -mass * law.density : mass);
         positions.push_back(model.nodes.position[node]);
         if (!(part.mass.back() > 0)) {
@@ -107,10 +108,10 @@ void share(const Model& model, const ParticlePart& part, bool first, ParticleOpt
     const Kernel kernel = kernel_of(section_of(model, source));
     const ArtificialViscosity& viscosity = part.constants.viscosity;
     if (first) {
-        options.kernel = kernel;
+        if (!options.own_kernel) options.kernel = kernel;
         options.viscosity = viscosity;
     }
-    if (kernel != options.kernel) {
+    if (!options.own_kernel && kernel != options.kernel) {
         throw DeckError(source.where,
                         fmt::format("*PART {}: all particles must have the same SPHKERN", source.id));
     }
@@ -149,6 +150,25 @@ void check_plane(const std::vector<ParticlePart>& parts, const Model& model, con
                             "but particle {} has z = {:g} and others {:g}",
                             model.nodes.id[node], model.nodes.position[node].z, level));
         }
+}
+
+/// Corrections that know fluids alone.
+void check_formulation(const std::vector<ParticlePart>& parts, const Model& model,
+                       const ParticleOptions& options)
+{
+    if (options.density_diffusion == 0 && options.tensile_repulsion == 0) return;
+    if (options.renormalised) {
+        throw DeckError(model.parts[parts.front().model_part].where,
+                        "*PLASH_SPH_FORMULATION: DELTA and TENSILE do not work together with the corrected "
+                        "gradients of *CONTROL_SPH FORM 1, 3, 6 and 12");
+    }
+    for (const ParticlePart& part : parts) {
+        if (!part.law->has_strength()) continue;
+        throw DeckError(model.parts[part.model_part].where,
+                        fmt::format("*PART {} has strength: DELTA and TENSILE of *PLASH_SPH_FORMULATION are "
+                                    "for scenes whose particles are all fluids",
+                                    part.id));
+    }
 }
 
 } // namespace
@@ -208,6 +228,7 @@ std::vector<std::unique_ptr<ParticleBody>> make_particle_bodies(const Model& mod
     }
     turn_mirrors(parts, model, options);
     check_plane(parts, model, options);
+    check_formulation(parts, model, options);
     bodies.push_back(std::make_unique<ParticleBody>(std::move(parts), std::move(options), model, state));
     return bodies;
 }

@@ -75,6 +75,7 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
     for (ParticlePart& part : parts_) {
         part.constants.dimension = options_.dimension;
         part.constants.volume_weighted = options_.volume_weighted;
+        part.constants.failed_carry_nothing = options_.failed_carry_nothing;
         tensor_ = tensor_ || part.law->has_strength();
         arrays_.history_size = std::max(arrays_.history_size, part.law->history_size());
         for (std::size_t i = 0; i < part.nodes.size(); ++i) state.mass[part.nodes[i]] += part.mass[i];
@@ -82,8 +83,9 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
     }
     create(state);
     search(state);
-    if (tensor_) sum_rates(0); // for the correction of the first forces
-    apply_laws(0);
+    if (tensor_) sum_rates({}); // for the correction of the first forces
+    apply_laws(0, sleepers_);
+    apply_laws(0, places_);
 }
 
 /// All particles in the order of parts and their nodes, before the first search sorts them.
@@ -99,6 +101,7 @@ void ParticleBody::create(const State& state)
             a.motion.push_back(
                 {state.position[node], part.constants.smoothing, state.velocity[node], part.mass[i]});
             a.node.push_back(node);
+            a.element.push_back(part.elements.empty() ? none : part.elements[i]);
             a.part.push_back(static_cast<std::uint8_t>(number));
             a.mass.push_back(part.mass[i]);
             a.density.push_back(part.constants.density * part.law->initial_compression());
@@ -115,33 +118,13 @@ void ParticleBody::create(const State& state)
         a.stress.resize(real_count_);
     }
     a.image.resize(real_count_);
+    a.asleep.resize(real_count_);
     a.push.resize(real_count_);
     a.rate.resize(real_count_);
     a.pressure.resize(real_count_);
     a.viscous_force.resize(real_count_);
     a.heat.resize(real_count_);
-}
-
-double ParticleBody::mean_neighbours() const
-{
-    std::size_t close = 0;
-    const auto& motion = arrays_.motion;
-    const auto touches = [&](Index a, Index b) {
-        const Vec3 apart = motion[a].position - motion[b].position;
-        const double reach = 0.5 * support_ * (motion[a].smoothing + motion[b].smoothing);
-        return a != b && dot(apart, apart) < reach * reach;
-    };
-    for (const NeighbourRun& run : runs_) {
-        const std::uint16_t* inside = run.inside.data();
-        const Index* outside = run.outside.data();
-        for (Index i = 0; i < run.length(); ++i) {
-            const Index p = run.begin + i;
-            for (int k = 0; k < run.batches[i].inside * lane_count; ++k)
-                close += 2 * touches(p, run.begin + *inside++);
-            for (int k = 0; k < run.batches[i].outside * lane_count; ++k) close += touches(p, *outside++);
-        }
-    }
-    return real_count_ > 0 ? static_cast<double>(close) / static_cast<double>(real_count_) : 0;
+    a.skin.resize(real_count_);
 }
 
 void ParticleBody::add_forces(const Clock& clock, State& state)
@@ -149,19 +132,25 @@ void ParticleBody::add_forces(const Clock& clock, State& state)
     vote_ = {};
     if (clock.time < options_.birth || clock.time > options_.death) return;
     read_motion(clock, state);
-    if (!lists_hold()) search(state);
+    if (!lists_hold(state) || anyone_leaves()) search(state);
     images_.refresh_motion(arrays_);
-    if (clock.last_step > 0) sum_rates(clock.last_step);
-    apply_laws(clock.last_step);
+    if (clock.last_step > 0) sum_rates(clock);
+    apply_laws(clock.last_step, places_);
+    const int interval = options_.filter_interval;
+    if (interval > 0 && clock.cycle > 0 && clock.cycle % interval == 0) filter_densities();
     images_.refresh_all(arrays_);
     add_pair_forces(clock, state);
+    if (options_.tensile_repulsion > 0) add_tensile_forces(clock, state);
+    if (options_.velocity_blend > 0 || options_.shifting > 0) find_drifts(state);
 }
 
 /// Density rates, and where stresses need them velocity gradients, over the step that ends at n.
-void ParticleBody::sum_rates(double step)
+void ParticleBody::sum_rates(const Clock& clock)
 {
+    const double step = clock.last_step;
     if (!tensor_) {
-        sum_density_rates(options_.kernel, options_.dimension, 0.5 * step, runs_, arrays_);
+        const DensityDiffusion diffusion = density_diffusion(clock);
+        sum_density_rates(options_.kernel, options_.dimension, 0.5 * step, runs_, arrays_, diffusion);
         return;
     }
     const auto take = [&](const NeighbourRun& run, const GradientSums* sums) {
@@ -219,65 +208,31 @@ void ParticleBody::read_motion(const Clock& clock, const State& state)
     });
 }
 
-/// Whether no pair can have come into reach that is not on the lists.
-bool ParticleBody::lists_hold() const
-{
-    // The largest relative displacement is at most twice the largest one, and at most the diagonal of the box
-    // of all displacements: the second is what counts for a body that flies.
-    struct Moved {
-        Vec3 lower{}, upper{};
-        double square = 0, growth = 0;
-    };
-    const ParticleArrays& a = arrays_;
-    std::vector<Moved> partial((a.motion.size() + chunk_length - 1) / chunk_length);
-    for_chunks(a.motion.size(), [&](std::size_t begin, std::size_t end) {
-        Moved moved;
-        bool first = true;
-        for (std::size_t p = begin; p < end; ++p) {
-            if (a.image[p]) continue;
-            const Vec3 d = a.motion[p].position - a.build_position[p];
-            if (first) moved.lower = moved.upper = d;
-            first = false;
-            moved.lower = {std::min(moved.lower.x, d.x), std::min(moved.lower.y, d.y),
-                           std::min(moved.lower.z, d.z)};
-            moved.upper = {std::max(moved.upper.x, d.x), std::max(moved.upper.y, d.y),
-                           std::max(moved.upper.z, d.z)};
-            moved.square = std::max(moved.square, dot(d, d));
-            moved.growth = std::max(moved.growth, a.motion[p].smoothing - a.build_smoothing[p]);
-        }
-        partial[begin / chunk_length] = moved;
-    });
-    Moved all = partial.empty() ? Moved{} : partial.front();
-    for (const Moved& moved : partial) {
-        all.lower = {std::min(all.lower.x, moved.lower.x), std::min(all.lower.y, moved.lower.y),
-                     std::min(all.lower.z, moved.lower.z)};
-        all.upper = {std::max(all.upper.x, moved.upper.x), std::max(all.upper.y, moved.upper.y),
-                     std::max(all.upper.z, moved.upper.z)};
-        all.square = std::max(all.square, moved.square);
-        all.growth = std::max(all.growth, moved.growth);
-    }
-    const double relative = images_.any() ? 2 * std::sqrt(all.square)
-                                          : std::min(2 * std::sqrt(all.square), norm(all.upper - all.lower));
-    return relative + support_ * all.growth <= skin_;
-}
-
 /// Sorts the particles anew and lists their neighbours.
 void ParticleBody::search(State& state)
 {
     ParticleArrays& a = arrays_;
+    const std::vector<Index> number = dismiss_leaving(state);
+    images_.follow(state, model_.nodes.position);
+    followed_.clear();
+    for (const PeriodicPair& pair : images_.periods()) {
+        followed_.push_back(pair.node == none ? Vec3{} : state.position[pair.node]);
+    }
+    set_skins();
     double largest = 0;
-    for (std::size_t p = 0; p < a.motion.size(); ++p) largest = std::max(largest, a.motion[p].smoothing);
-    skin_ = options_.skin * support_ * largest;
-    const double range = support_ * largest + skin_;
+    for (std::size_t p = 0; p < a.motion.size(); ++p) {
+        if (!a.image[p]) largest = std::max(largest, support_ * a.motion[p].smoothing + a.skin[p]);
+    }
+    const double range = largest;
 
     std::vector<Index> place_of(real_count_);
     std::vector<Vec3> position(real_count_);
     for_chunks(a.motion.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-            if (a.image[p]) continue;
+            if (a.image[p] || number[a.particle[p]] == none) continue;
             if (images_.wrap(a.motion[p].position)) state.position[a.node[p]] = a.motion[p].position;
-            place_of[a.particle[p]] = static_cast<Index>(p);
-            position[a.particle[p]] = a.motion[p].position;
+            place_of[number[a.particle[p]]] = static_cast<Index>(p);
+            position[number[a.particle[p]]] = a.motion[p].position;
         }
     });
     if (images_.any()) images_.find(range, position);
@@ -292,7 +247,9 @@ void ParticleBody::search(State& state)
     permute(a.motion, old_place);
     permute(a.push, old_place);
     permute(a.node, old_place);
+    permute(a.element, old_place);
     permute(a.part, old_place);
+    permute(a.asleep, old_place);
     permute(a.mass, old_place);
     permute(a.density, old_place);
     permute(a.rate, old_place);
@@ -300,6 +257,7 @@ void ParticleBody::search(State& state)
     permute(a.energy, old_place);
     permute(a.viscous_force, old_place);
     permute(a.heat, old_place);
+    permute(a.skin, old_place);
     if (tensor_) {
         permute(a.tension, old_place);
         permute(a.gradient, old_place);
@@ -309,42 +267,20 @@ void ParticleBody::search(State& state)
     }
     a.particle = order;
     a.image.resize(order.size());
-    places_.assign(parts_.size(), {});
-    for (std::size_t p = 0; p < order.size(); ++p) {
-        a.image[p] = old_place[p] == none;
-        if (!a.image[p]) places_[a.part[p]].push_back(static_cast<Index>(p));
-    }
+    for (std::size_t p = 0; p < order.size(); ++p) a.image[p] = old_place[p] == none;
+    put_to_sleep(state);
     images_.settle(a);
     images_.refresh_all(a);
     list_neighbours(cells);
 }
 
-void ParticleBody::list_neighbours(const ParticleCells& cells)
-{
-    ParticleArrays& a = arrays_;
-    a.build_position.resize(a.motion.size());
-    a.build_smoothing.resize(a.motion.size());
-    std::vector<double> reach(a.motion.size());
-    for (std::size_t p = 0; p < a.motion.size(); ++p) {
-        a.build_position[p] = a.motion[p].position;
-        a.build_smoothing[p] = a.motion[p].smoothing;
-        reach[p] = 0.5 * (support_ * a.motion[p].smoothing + skin_);
-    }
-    std::vector<std::uint64_t> sees;
-    if (!options_.parts_interact) {
-        for (std::size_t part = 0; part < parts_.size(); ++part) sees.push_back(1ULL << part);
-    }
-    build_neighbours(cells, {a.build_position, reach, a.image, a.part, sees}, runs_);
-    ++searches_;
-}
-
 /// Density, pressure, energy and smoothing length at n, and the shortest stable step.
-void ParticleBody::apply_laws(double step)
+void ParticleBody::apply_laws(double step, const std::vector<std::vector<Index>>& all_places)
 {
     vote_ = {};
     for (std::size_t number = 0; number < parts_.size(); ++number) {
         const ParticlePart& part = parts_[number];
-        const std::span<const Index> places = places_[number];
+        const std::span<const Index> places = all_places[number];
         std::vector<ParticleVote> votes((places.size() + chunk_length - 1) / chunk_length);
         for_chunks(places.size(), [&](std::size_t begin, std::size_t end) {
             votes[begin / chunk_length] =
@@ -354,28 +290,47 @@ void ParticleBody::apply_laws(double step)
     }
 }
 
-void ParticleBody::add_pair_forces(const Clock& clock, State& state)
+/// Adds pair forces to the State, and what viscosity does to motion and heat to the particles.
+void ParticleBody::take_forces(const NeighbourRun& run, const ForceSums* sums, double half_step, State& state)
 {
     ParticleArrays& a = arrays_;
+    for (Index i = 0; i < run.length(); ++i) {
+        const Index p = run.begin + i;
+        if (a.image[p]) continue;
+        const double weight = a.motion[p].weight;
+        const double heat = weight * sums[i].heat;
+        a.viscous_force[p] += weight * sums[i].viscous_force;
+        a.heat[p] += heat;
+        const double density = parts_[a.part[p]].constants.density;
+        a.energy[p] += half_step * heat * density / a.mass[p];
+        state.force[a.node[p]] += weight * sums[i].force;
+    }
+}
+
+void ParticleBody::add_pair_forces(const Clock& clock, State& state)
+{
     const double half_step = 0.5 * clock.last_step;
     const auto take = [&](const NeighbourRun& run, const ForceSums* sums) {
-        for (Index i = 0; i < run.length(); ++i) {
-            const Index p = run.begin + i;
-            if (a.image[p]) continue;
-            const double weight = a.motion[p].weight;
-            a.viscous_force[p] = weight * sums[i].viscous_force;
-            a.heat[p] = weight * sums[i].heat;
-            const double density = parts_[a.part[p]].constants.density;
-            a.energy[p] += half_step * a.heat[p] * density / a.mass[p];
-            state.force[a.node[p]] += weight * sums[i].force;
+        for (Index p = run.begin; p < run.end; ++p) {
+            arrays_.viscous_force[p] = {};
+            arrays_.heat[p] = 0;
         }
+        take_forces(run, sums, half_step, state);
     };
     sum_pair_forces(options_.kernel, options_.dimension, options_.viscosity, runs_, arrays_, take);
 }
 
-void ParticleBody::after_motion(const Clock&, State& state)
+void ParticleBody::after_motion(const Clock& clock, State& state)
 {
+    if (!arrays_.drift.empty()) {
+        for_chunks(arrays_.drift.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t p = begin; p < end; ++p) {
+                if (!arrays_.image[p]) state.position[arrays_.node[p]] += clock.step * arrays_.drift[p];
+            }
+        });
+    }
     images_.reflect_passed(arrays_, state);
+    calm_wake(clock, state);
 }
 
 StepVote ParticleBody::stable_step() const
@@ -388,14 +343,21 @@ StepVote ParticleBody::stable_step() const
 void ParticleBody::report(EnergyLedger& ledger) const
 {
     for (std::size_t number = 0; number < parts_.size(); ++number) {
-        const std::span<const Index> places = places_[number];
         const double density = parts_[number].constants.density;
-        const double energy = sum_chunks(places.size(), [&](std::size_t begin, std::size_t end) {
-            double sum = 0;
-            for (Index p : places.subspan(begin, end - begin)) sum += arrays_.energy[p] * arrays_.mass[p];
-            return sum;
-        });
+        const auto energy_of = [&](std::span<const Index> places) {
+            return sum_chunks(places.size(), [&](std::size_t begin, std::size_t end) {
+                double sum = 0;
+                for (Index p : places.subspan(begin, end - begin)) sum += arrays_.energy[p] * arrays_.mass[p];
+                return sum;
+            });
+        };
+        const double energy = energy_of(places_[number]) + energy_of(sleepers_[number]);
         ledger.add_part(parts_[number].model_part, energy / density, 0);
+    }
+    ledger.damping += damped_energy_;
+    for (const Departed& left : departed_) {
+        ledger.eroded_kinetic += left.kinetic;
+        ledger.eroded_internal += left.internal;
     }
 }
 

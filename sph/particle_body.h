@@ -2,6 +2,8 @@
 
 #include "core/term.h"
 #include "model/model.h"
+#include "sph/active_region.h"
+#include "sph/density_rate.h"
 #include "sph/images.h"
 #include "sph/neighbours.h"
 #include "sph/particle_arrays.h"
@@ -9,6 +11,7 @@
 #include "sph/velocity_gradient.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace plash {
@@ -18,7 +21,8 @@ struct ParticlePart {
     Index model_part = 0; ///< index in the Model
     Id id = 0;            ///< of the part
     std::vector<Index> nodes;
-    std::vector<double> mass; ///< by node [mass]
+    std::vector<double> mass;    ///< by node [mass]
+    std::vector<Index> elements; ///< by node: place in Model::particles, for results; may be empty
     std::shared_ptr<const ParticleLaw> law;
     PartConstants constants;
 };
@@ -26,17 +30,29 @@ struct ParticlePart {
 /// How the particles of a scene act on each other.
 struct ParticleOptions {
     Kernel kernel = Kernel::cubic_spline;
+    bool own_kernel = false; ///< `kernel` holds, whatever the sections say
     int dimension = 3;
-    bool volume_weighted = false;  ///< the fluid forms: pairs weighed by volumes instead of masses
-    bool renormalised = false;     ///< kernel gradients corrected to be exact for linear fields
-    bool parts_interact = true;    ///< false: particles see only their own part (CONT = 1)
-    ArtificialViscosity viscosity; ///< of pairs
-    double birth = 0;              ///< particles act on each other from here ... [time]
-    double death = forever;        ///< ... to here [time]
-    double skin = 0.1;             ///< of the neighbour lists, as a share of the largest kernel radius
+    bool volume_weighted = false;      ///< the fluid forms: pairs weighed by volumes instead of masses
+    bool renormalised = false;         ///< kernel gradients corrected to be exact for linear fields
+    bool failed_carry_nothing = false; ///< failed solids lose their stress (IEROD = 1)
+    bool parts_interact = true;        ///< false: particles see only their own part (CONT = 1)
+    ArtificialViscosity viscosity;     ///< of pairs
+    double density_diffusion = 0;      ///< delta of Molteni & Colagrossi, 0.1 as a rule; fluids only [-]
+    double velocity_blend = 0;         ///< epsilon of XSPH, 0.5 as a rule [-]
+    double shifting = 0;               ///< strength of particle shifting, 1 as a rule [-]
+    double tensile_repulsion = 0;      ///< epsilon of Monaghan's artificial pressure, 0.2 as a rule [-]
+    int filter_interval = 0;           ///< cycles between two density re-initialisations; 0: none
+    std::vector<ActiveRegion> regions; ///< where particles are awake; none: everywhere
+    std::optional<Box> box;            ///< particles that leave it leave the run (BOXID)
+    double largest_speed = forever;    ///< faster particles leave the run (MAXV) [velocity]
+    double birth = 0;                  ///< particles act on each other from here ... [time]
+    double death = forever;            ///< ... to here [time]
+    double skin = 0.1;                 ///< of the neighbour lists, as a share of the largest kernel radius
     std::vector<MirrorPlane> mirrors;
     std::vector<PeriodicPair> periods;
 };
+
+class CalmZone;
 
 /// All particles of a scene that see each other (smoothed particle hydrodynamics). Each particle is a node of
 /// the State; density, energy and pressure live here.
@@ -51,17 +67,32 @@ public:
     ParticleBody(std::vector<ParticlePart> parts, ParticleOptions options, const Model& model, State& state);
 
     std::string_view name() const override { return "particles"; }
-    std::size_t items() const override { return real_count_; }
+    std::size_t items() const override { return real_count_; } ///< asleep ones included
     void add_forces(const Clock& clock, State& state) override;
+    void constrain(const Clock& clock, State& state) override;
     void after_motion(const Clock& clock, State& state) override;
     StepVote stable_step() const override;
     void report(EnergyLedger& ledger) const override;
+    void serialise(Archive& archive) override
+    {
+        archive(arrays_, images_, runs_, places_, sleepers_, searches_, departed_, followed_, damped_energy_,
+                regions_at_);
+    }
+    void collect(const State& state, ElementResults& results) const override;
 
     const ParticleArrays& arrays() const { return arrays_; }
     const std::vector<NeighbourRun>& runs() const { return runs_; }
-    long searches() const { return searches_; } ///< neighbour searches so far
+    /// What particles have taken with them that left the box or were too fast.
+    struct Departed {
+        long count = 0;
+        double mass = 0, kinetic = 0, internal = 0;
+    };
+    const std::vector<Departed>& departed() const { return departed_; } ///< by part of the body
+    long searches() const { return searches_; }                         ///< neighbour searches so far
     /// Mean number of real neighbours closer than the kernel radius.
     double mean_neighbours() const;
+    /// The same of each particle, by sorted place.
+    std::vector<int> count_neighbours() const;
 
 private:
     const Model& model_;
@@ -71,22 +102,41 @@ private:
     ParticleArrays arrays_;
     Images images_;
     std::vector<NeighbourRun> runs_;
-    std::vector<std::vector<Index>> places_; ///< by part: sorted places of its particles
+    std::vector<std::vector<Index>> places_;   ///< by part: sorted places of its particles that are awake
+    std::vector<std::vector<Index>> sleepers_; ///< and of those that are not
     std::size_t real_count_ = 0;
-    bool tensor_ = false; ///< push is a tensor
-    double skin_ = 0;     ///< [length]
+    bool tensor_ = false;   ///< push is a tensor
+    double least_skin_ = 0; ///< of any particle [length]
     long searches_ = 0;
+    std::vector<Departed> departed_;
+    std::vector<Vec3> followed_;   ///< by periodic pair: where its node was at the last search [length]
+    double damped_energy_ = 0;     ///< taken from the wake of moving domains and from sleepers [energy]
+    std::vector<Vec3> regions_at_; ///< by region: how far it had travelled at the last search [length]
     ParticleVote vote_;
 
     void create(const State& state);
     void read_motion(const Clock& clock, const State& state);
-    bool lists_hold() const;
-    void sum_rates(double step);
+    bool lists_hold(const State& state) const;
+    bool leaves(Index place) const;
+    bool anyone_leaves() const;
+    bool is_awake(Index place) const;
+    void put_to_sleep(State& state);
+    void sum_rates(const Clock& clock);
     void take_gradient(Index place, const GradientSums& sums);
     void search(State& state);
+    std::vector<Index> dismiss_leaving(State& state);
+    void set_skins();
     void list_neighbours(const ParticleCells& cells);
-    void apply_laws(double step);
+    void apply_laws(double step, const std::vector<std::vector<Index>>& all_places);
     void add_pair_forces(const Clock& clock, State& state);
+    Vec3 gravity(double time) const;
+    DensityDiffusion density_diffusion(const Clock& clock);
+    void filter_densities();
+    void add_tensile_forces(const Clock& clock, State& state);
+    void find_drifts(const State& state);
+    void calm_wake(const Clock& clock, State& state);
+    double calm_particle(const CalmZone& zone, Index place, State& state);
+    void take_forces(const NeighbourRun& run, const ForceSums* sums, double half_step, State& state);
 };
 
 } // namespace plash

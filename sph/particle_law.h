@@ -11,11 +11,12 @@ namespace plash {
 /// What all particles of a part share besides their law.
 struct PartConstants {
     int dimension = 3;
-    double density = 0;            ///< reference, of the law [mass/volume]
-    bool volume_weighted = false;  ///< weights of pairs are volumes (the fluid forms), not masses
-    double smoothing = 0;          ///< h at the reference density [length]
-    double smallest_smoothing = 0; ///< [length]
-    double largest_smoothing = 0;  ///< [length]
+    double density = 0;                ///< reference, of the law [mass/volume]
+    bool volume_weighted = false;      ///< weights of pairs are volumes (the fluid forms), not masses
+    bool failed_carry_nothing = false; ///< IEROD = 1
+    double smoothing = 0;              ///< h at the reference density [length]
+    double smallest_smoothing = 0;     ///< [length]
+    double largest_smoothing = 0;      ///< [length]
     ArtificialViscosity viscosity;
     double laminar_viscosity = 0; ///< dynamic [stress time]
 };
@@ -41,6 +42,7 @@ public:
     virtual bool has_strength() const { return false; }      ///< needs velocity gradients and a stress tensor
     virtual int history_size() const { return 0; }           ///< variables of a particle
     virtual void start_history(double* /*variables*/) const {}
+    virtual double plastic_strain(const double* /*variables*/) const { return 0; } ///< effective [-]
 
     /// Advances the particles at `places` over the step that ends at n; a step of 0 only evaluates the law.
     virtual ParticleVote advance(const PartConstants&, std::span<const Index> places, double step,

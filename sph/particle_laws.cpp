@@ -1,5 +1,6 @@
 #include "eos/gruneisen.h"
 #include "eos/linear_polynomial.h"
+#include "eos/murnaghan.h"
 #include "materials/elastic.h"
 #include "materials/piecewise_linear_plasticity.h"
 #include "materials/plastic_kinematic.h"
@@ -35,9 +36,10 @@ ParticleLawOfPart make_fluid(const Record& material, const Record* equation_of_s
     if (equation_of_state->keyword == "EOS_LINEAR_POLYNOMIAL") {
         return fluid_of<LinearPolynomial>(fluid, *equation_of_state);
     }
+    if (equation_of_state->keyword == "EOS_MURNAGHAN") return fluid_of<Murnaghan>(fluid, *equation_of_state);
     throw DeckError(equation_of_state->where,
                     fmt::format("*{} {} is not supported for the particles of part {}; there are "
-                                "EOS_LINEAR_POLYNOMIAL and EOS_GRUNEISEN",
+                                "EOS_LINEAR_POLYNOMIAL, EOS_GRUNEISEN and EOS_MURNAGHAN",
                                 equation_of_state->keyword, equation_of_state->id, part.id));
 }
 

@@ -1,6 +1,7 @@
 #include "materials/parameters.h"
 #include "sph/particle_bodies.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -33,12 +34,31 @@ void read_form(const Record& control, ParticleOptions& options)
     case 5: // fluid
         options.volume_weighted = true;
         return;
-    case 6: // fluid, renormalised
+    case 15: // enhanced fluid: Plash's own choice of what keeps pressures smooth
+        options.volume_weighted = true;
+        options.density_diffusion = 0.1;
+        return;
+    case 6:  // fluid, renormalised
+    case 16: // enhanced fluid, renormalised
         options.volume_weighted = options.renormalised = true;
         return;
     default:
-        reject_field(control, "FORM", fmt::format("form {} is not supported; there are 0 to 6 and 12", form));
+        reject_field(control, "FORM",
+                     fmt::format("form {} is not supported; there are 0 to 6, 12, 15 and 16", form));
     }
+}
+
+/// BOXID and MAXV: when particles leave the run. A negative MAXV, as in LS-DYNA, checks no speeds.
+void read_limits(const Model& model, const Record& control, ParticleOptions& options)
+{
+    if (const Id id = control.integer("BOXID"); id != 0) {
+        const auto box = std::find_if(model.boxes.begin(), model.boxes.end(),
+                                      [&](const NamedBox& candidate) { return candidate.id == id; });
+        if (box == model.boxes.end()) reject_field(control, "BOXID", fmt::format("there is no box {}", id));
+        options.box = box->box;
+    }
+    const double fastest = control.real("MAXV");
+    if (fastest > 0 && fastest < 1e15) options.largest_speed = fastest;
 }
 
 void read_control(const Record& control, ParticleOptions& options)
@@ -58,9 +78,55 @@ void read_control(const Record& control, ParticleOptions& options)
     if (control.integer("DERIV") != 0) {
         reject_field(control, "DERIV", "smoothing lengths follow h div(v) / d (0) alone");
     }
+    const Id erosion = control.integer("IEROD");
+    if (erosion < 0 || erosion > 1) {
+        reject_field(control, "IEROD",
+                     fmt::format("{} is not supported; failed particles stay as they are (0) or lose their "
+                                 "stress (1)",
+                                 erosion));
+    }
+    options.failed_carry_nothing = erosion == 1;
     if (control.integer("IAVIS") != 0) {
         reject_field(control, "IAVIS", "there is Monaghan's artificial viscosity (0) alone");
     }
+}
+
+/// Kernels beyond those of SPHKERN.
+Kernel kernel_named(const Record& record, Kernel as_section)
+{
+    switch (record.integer("KERNEL")) {
+    case 0:
+        return as_section;
+    case 4:
+        return Kernel::wendland_c2;
+    case 5:
+        return Kernel::wendland_c4;
+    default:
+        reject_field(record, "KERNEL",
+                     fmt::format("there is no kernel {}; there are 0 (that of the sections), 4 (Wendland C2) "
+                                 "and 5 (Wendland C4)",
+                                 record.integer("KERNEL")));
+    }
+}
+
+void read_formulation(const Record& record, ParticleOptions& options)
+{
+    const auto share = [&](const char* field, double largest) {
+        const double value = record.real(field);
+        if (value < 0 || value > largest) {
+            reject_field(record, field, fmt::format("{:g} is not between 0 and {:g}", value, largest));
+        }
+        return value;
+    };
+    if (record.given("DELTA")) options.density_diffusion = share("DELTA", 1);
+    options.velocity_blend = share("XSPH", 1);
+    options.shifting = share("SHIFT", 10);
+    options.tensile_repulsion = share("TENSILE", 10);
+    options.filter_interval = static_cast<int>(share("FILTER", 1e9));
+    const double skin = share("SKIN", 1);
+    if (skin > 0) options.skin = skin;
+    options.own_kernel = record.integer("KERNEL") != 0;
+    options.kernel = kernel_named(record, options.kernel);
 }
 
 MirrorPlane mirror_of(const Record& record)
@@ -89,7 +155,24 @@ PeriodicPair period_of(const Model& model, const Record& record)
     const Vec3 normal = unit(first.head - first.tail);
     const double distance = dot(second.tail - first.tail, normal);
     if (distance == 0) reject_field(record, "VID2", "the two planes are the same");
-    return {first.tail, distance * normal};
+    return {first.tail, distance * normal, none, 0};
+}
+
+/// The same planes, going along with a node.
+PeriodicPair moving_period_of(const Model& model, const Record& record)
+{
+    PeriodicPair pair = period_of(model, record);
+    const Id id = record.integer("NID");
+    const auto found = std::find(model.nodes.id.begin(), model.nodes.id.end(), id);
+    if (found == model.nodes.id.end()) reject_field(record, "NID", fmt::format("there is no node {}", id));
+    pair.node = static_cast<Index>(found - model.nodes.id.begin());
+    pair.calm = record.real("CALM");
+    if (pair.calm < 0 || pair.calm > norm(pair.period)) {
+        reject_field(record, "CALM",
+                     fmt::format("{:g} is no length between 0 and the distance of the planes, {:g}",
+                                 pair.calm, norm(pair.period)));
+    }
+    return pair;
 }
 
 } // namespace
@@ -97,10 +180,18 @@ PeriodicPair period_of(const Model& model, const Record& record)
 ParticleOptions particle_options_of(const Model& model)
 {
     ParticleOptions options;
-    if (const Record* control = find(model, "CONTROL_SPH")) read_control(*control, options);
+    if (const Record* control = find(model, "CONTROL_SPH")) {
+        read_control(*control, options);
+        read_limits(model, *control, options);
+    }
+    if (const Record* record = find(model, "PLASH_SPH_FORMULATION")) read_formulation(*record, options);
+    options.regions = active_regions_of(model);
     for (const Record& record : model.others) {
         if (record.keyword == "BOUNDARY_SPH_SYMMETRY_PLANE") options.mirrors.push_back(mirror_of(record));
         if (record.keyword == "BOUNDARY_SPH_PERIODIC") options.periods.push_back(period_of(model, record));
+        if (record.keyword == "PLASH_SPH_MOVING_PERIODIC") {
+            options.periods.push_back(moving_period_of(model, record));
+        }
     }
     return options;
 }

@@ -24,6 +24,15 @@ public:
         std::copy(start.begin(), start.end(), variables);
     }
 
+    double plastic_strain([[maybe_unused]] const double* variables) const override
+    {
+        if constexpr (requires { Material::plastic_strain; }) {
+            return variables[Material::plastic_strain];
+        } else {
+            return 0;
+        }
+    }
+
     ParticleVote advance(const PartConstants& part, std::span<const Index> places, double step,
                          ParticleArrays& arrays) const override
     {
@@ -54,6 +63,14 @@ private:
         return {from(&T::xx), from(&T::yy), from(&T::zz), from(&T::xy), from(&T::yz), from(&T::zx)};
     }
 
+    /// IEROD = 1: a particle whose material has failed keeps its mass and its neighbours but no stress.
+    static void drop_failed(const LaneMask& failed, SymmetricTensor<Lanes>& stress)
+    {
+        for (Lanes* component : {&stress.xx, &stress.yy, &stress.zz, &stress.xy, &stress.yz, &stress.zx}) {
+            *component = failed ? Lanes{} : *component;
+        }
+    }
+
     ParticleVote advance_batch(const PartConstants& part, std::span<const Index> places, double step,
                                ParticleArrays& arrays) const
     {
@@ -80,6 +97,9 @@ private:
             material_.rotate_history(history, rotation);
         }
         if (step > 0) material_.update(stress, increment, history, step);
+        if constexpr (requires { material_.failed(history); }) {
+            if (part.failed_carry_nothing) drop_failed(material_.failed(history), stress);
+        }
 
         const Lanes compression = density * (1 / part.density);
         const Lanes middle_volume = part.density * (0.5 / before + 0.5 / density);

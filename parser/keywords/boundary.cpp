@@ -27,16 +27,18 @@ std::vector<Index> nodes_of(const Record& record, Reading& reading)
     return node == none ? std::vector<Index>{} : std::vector<Index>{node};
 }
 
-/// Axes of the coordinate system that CID names; the global ones when it names none.
-std::array<Vec3, 3> axes_of(const Record& record, Reading& reading)
+/// Whether a system that stands has the global axes, in which freedoms are simpler to hold.
+bool is_global(const CoordinateSystem& system)
 {
-    const Index system = reading.find(record, "CID", Kind::coordinate);
-    return system == none ? CoordinateSystem{}.axes : reading.model.coordinate_systems[system].axes;
+    return system.nodes[0] == none && system.axes[0].x > 1 - 1e-12 && system.axes[1].y > 1 - 1e-12;
 }
 
-bool are_global(const std::array<Vec3, 3>& axes)
+/// Three unit axes of which the first is a normal.
+std::array<Vec3, 3> axes_of_normal(const Vec3& normal)
 {
-    return axes[0].x > 1 - 1e-12 && axes[1].y > 1 - 1e-12;
+    const Vec3 x = unit(normal);
+    const Vec3 y = unit(cross(std::abs(x.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, x));
+    return {x, y, cross(x, y)};
 }
 
 void read_fixed_nodes(const Record& record, const Block&, Reading& reading)
@@ -49,10 +51,68 @@ void read_fixed_nodes(const Record& record, const Block&, Reading& reading)
         if (record.integer(freedoms[i]) != 0) fixed.freedoms |= 1u << i;
     fixed.birth = record.real("BIRTH");
     fixed.death = death_time(record, "DEATH");
-    if (!are_global(axes_of(record, reading)))
-        reading.error(record, "CID", "fixities along axes that are not the global ones are not supported");
+    fixed.system = reading.find(record, "CID", Kind::coordinate);
+    if (fixed.system != none && is_global(reading.model.coordinate_systems[fixed.system]))
+        fixed.system = none;
     if (fixed.freedoms == 0) reading.warning(record, "", "fixes nothing: all its freedoms are zero");
     if (!fixed.nodes.empty() && fixed.freedoms) reading.model.fixed_nodes.push_back(std::move(fixed));
+}
+
+/// Nodes stay in a plane (COPT = 0) or on a line (1) through their places.
+void read_sliding_plane(const Record& record, const Block& block, Reading& reading)
+{
+    FixedNodes fixed;
+    fixed.where = record.where;
+    fixed.nodes = nodes_of(record, reading);
+    fixed.local = true;
+    const Vec3 normal =
+        reading.motion_of(block).direction({record.real("VX"), record.real("VY"), record.real("VZ")});
+    if (norm(normal) == 0) reading.error(record, "VX", "the vector (VX, VY, VZ) has no length");
+    fixed.axes = axes_of_normal(normal);
+    fixed.freedoms = record.integer("COPT") == 0 ? 1u : 6u;
+    if (!fixed.nodes.empty()) reading.model.fixed_nodes.push_back(std::move(fixed));
+}
+
+/// Nodes of some parts within TOL of a plane do not leave it, nor turn about axes in it.
+void read_symmetry_plane(const Record& record, const Block& block, Reading& reading)
+{
+    const Affine motion = reading.motion_of(block);
+    const Vec3 point = motion.point({record.real("X"), record.real("Y"), record.real("Z")});
+    const Vec3 normal = unit(motion.direction({record.real("VX"), record.real("VY"), record.real("VZ")}));
+    if (norm(normal) < 0.5) reading.error(record, "VX", "the normal (VX, VY, VZ) has no length");
+    std::vector<Index> parts;
+    if (record.peek("PSID")) {
+        const Index set = reading.find(record, "PSID", Kind::part_set);
+        if (set != none) parts = reading.model.part_sets[set].parts;
+    } else if (const Index part = reading.find(record, "PID", Kind::part); part != none) {
+        parts = {part};
+    }
+    FixedNodes fixed;
+    fixed.where = record.where;
+    const double tolerance = record.real("TOL");
+    for (Index node : nodes_of_parts(reading.model, parts)) {
+        if (std::abs(dot(reading.model.nodes.position[node] - point, normal)) <= tolerance)
+            fixed.nodes.push_back(node);
+    }
+    fixed.local = true;
+    fixed.axes = axes_of_normal(normal);
+    fixed.freedoms = 1u | 16u | 32u;
+    if (fixed.nodes.empty())
+        reading.warning(record, "TOL", "no node of its parts lies on the symmetry plane");
+    else
+        reading.model.fixed_nodes.push_back(std::move(fixed));
+}
+
+void read_non_reflecting(const Record& record, const Block&, Reading& reading)
+{
+    NonReflectingBoundary boundary;
+    boundary.where = record.where;
+    const Index set = reading.find(record, "SSID", Kind::segment_set);
+    if (set == none) return;
+    boundary.segments = reading.model.segment_sets[set].segments;
+    boundary.dilatational = record.real("AD") == 0;
+    boundary.shear = record.real("AS") == 0;
+    reading.model.non_reflecting_boundaries.push_back(std::move(boundary));
 }
 
 /// DOF 1..3 along, 5..7 about x, y, z; 4 along, 8 about VID; -4, -8: other components are held too.
@@ -80,7 +140,21 @@ bool direction_of(const Record& record, PrescribedMotion& motion, Reading& readi
         reading.error(record, "VID", fmt::format("vector {} has no length", named.id));
         return false;
     }
-    reading.error(record, "DOF", fmt::format("{} is not supported; 1 to 8, -4 and -8 are", freedom));
+    if (magnitude >= 9 && magnitude <= 11 && motion.rigid_part == none) {
+        // About an axis parallel to x, y or z through (OFFSET1, OFFSET2) in the plane across it.
+        const int axis = static_cast<int>(magnitude - 9);
+        motion.direction = axes[axis];
+        motion.orbit = true;
+        double* place[] = {&motion.center.x, &motion.center.y, &motion.center.z};
+        const int first[] = {1, 2, 0}, second[] = {2, 0, 1}; // (y, z), (z, x), (x, y)
+        *place[first[axis]] = record.real("OFFSET1");
+        *place[second[axis]] = record.real("OFFSET2");
+        return true;
+    }
+    reading.error(
+        record, "DOF",
+        fmt::format("{} is not supported; 1 to 8, -4 and -8 are, and for nodes 9 to 11 and -9 to -11",
+                    freedom));
     return false;
 }
 
@@ -89,16 +163,20 @@ void read_prescribed_motion(const Record& record, const Block&, Reading& reading
     PrescribedMotion motion;
     motion.where = record.where;
     if (record.peek("PID")) {
-        motion.rigid_part = reading.find(record, "PID", Kind::part);
+        motion.rigid_part = reading.find_body(record.integer("PID"));
+        motion.local = record.keyword.ends_with("_LOCAL");
         if (motion.rigid_part == none) return;
     } else {
         motion.nodes = nodes_of(record, reading);
     }
     if (!direction_of(record, motion, reading)) return;
     const Id kind = record.integer("VAD");
-    if (kind < 0 || kind > 2) {
-        reading.error(record, "VAD",
-                      fmt::format("{} is not supported; 0 velocity, 1 acceleration, 2 displacement", kind));
+    if (kind < 0 || kind > 3) {
+        reading.error(
+            record, "VAD",
+            fmt::format("{} is not supported; 0 velocity, 1 acceleration, 2 displacement, 3 velocity "
+                        "as a function of displacement",
+                        kind));
         return;
     }
     motion.kind = static_cast<PrescribedMotion::Kind>(kind);
@@ -116,9 +194,14 @@ constexpr Translator keywords[] = {
     {"BOUNDARY_SPC_SET", Phase::conditions, read_fixed_nodes},
     {"BOUNDARY_SPC_NODE_BIRTH_DEATH", Phase::conditions, read_fixed_nodes},
     {"BOUNDARY_SPC_SET_BIRTH_DEATH", Phase::conditions, read_fixed_nodes},
+    {"BOUNDARY_SLIDING_PLANE", Phase::conditions, read_sliding_plane},
+    {"BOUNDARY_SPC_SYMMETRY_PLANE", Phase::conditions, read_symmetry_plane},
+    {"BOUNDARY_SPC_SYMMETRY_PLANE_SET", Phase::conditions, read_symmetry_plane},
+    {"BOUNDARY_NON_REFLECTING", Phase::conditions, read_non_reflecting},
     {"BOUNDARY_PRESCRIBED_MOTION_NODE", Phase::conditions, read_prescribed_motion},
     {"BOUNDARY_PRESCRIBED_MOTION_SET", Phase::conditions, read_prescribed_motion},
     {"BOUNDARY_PRESCRIBED_MOTION_RIGID", Phase::conditions, read_prescribed_motion},
+    {"BOUNDARY_PRESCRIBED_MOTION_RIGID_LOCAL", Phase::conditions, read_prescribed_motion},
 };
 
 } // namespace

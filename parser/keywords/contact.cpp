@@ -34,6 +34,7 @@ Contact::Kind kind_of(std::string_view name)
     if (holds(name, "INTERIOR") && !holds(name, "GENERAL")) return Kind::interior;
     if (holds(name, "GENERAL")) return Kind::general;
     if (holds(name, "SINGLE_SURFACE") || holds(name, "SINGLE_EDGE")) return Kind::single_surface;
+    if (holds(name, "TIEBREAK_NODES_ONLY")) return Kind::tied;
     if (name.starts_with("CONTACT_TIED_") || name.starts_with("CONTACT_SPOTWELD")) return Kind::tied;
     if (holds(name, "NODES_TO") || holds(name, "ONE_WAY") || holds(name, "BEAMS_TO")) return Kind::one_way;
     // LS-DYNA runs all surface-to-surface contacts of forming tools with the nodes of the sheet only.
@@ -52,12 +53,20 @@ Tie tie_of(const Record& record, Contact::Kind kind)
         tie.rotations = holds(name, "SHELL_EDGE") || holds(name, "SPOTWELD");
         tie.moment_offset = holds(name, "BEAM_OFFSET");
     }
+    if (holds(name, "_FAILURE")) { // strengths stand in the place of the friction coefficients
+        tie.method = Tie::Method::penalty;
+        tie.failure = 2;
+        tie.normal_strength = record.real("FS");
+        tie.shear_strength = record.real("FD");
+    }
     if (!holds(name, "TIEBREAK")) return tie;
     tie.method = Tie::Method::penalty;
     tie.moment_offset = holds(name, "BEAM_OFFSET");
     tie.failure = static_cast<int>(record.integer("OPTION"));
-    tie.normal_strength = record.peek("NFLF") ? record.real("NFLF") : record.real("NFLS");
-    tie.shear_strength = record.peek("SFLF") ? record.real("SFLF") : record.real("SFLS");
+    tie.by_force = record.peek("NFLF") != nullptr;
+    tie.normal_strength = tie.by_force ? record.real("NFLF") : record.real("NFLS");
+    tie.shear_strength = tie.by_force ? record.real("SFLF") : record.real("SFLS");
+    if (!record.peek("OPTION")) tie.failure = 2;
     tie.normal_exponent = real_or(record, "NEN", 2);
     tie.shear_exponent = real_or(record, "MES", 2);
     tie.parameter = record.real("PARAM");
@@ -96,7 +105,7 @@ public:
                                        way));
             return side;
         }
-        const Index index = reading_.table(kinds[way]).find(block_.number(kinds[way], number));
+        const Index index = reading_.look_up(kinds[way], block_.number(kinds[way], number));
         if (index == none) {
             reading_.error(record_, id, fmt::format("there is no {} {}", to_string(kinds[way]), number));
             return side;
@@ -183,6 +192,14 @@ void read_contact(const Record& record, const Block& block, Reading& reading)
     contact.eroding = holds(name, "ERODING");
     contact.constraint = holds(name, "CONSTRAINT_");
     contact.tie = tie_of(record, contact.kind);
+    constexpr int options[] = {0, 2, 4, 6, 8};
+    const bool tiebreak =
+        holds(name, "_SURFACE_TIEBREAK") && name.ends_with("TIEBREAK") && !holds(name, "SINGLE");
+    if (tiebreak &&
+        std::find(std::begin(options), std::end(options), contact.tie.failure) == std::end(options)) {
+        reading.error(record, "OPTION",
+                      fmt::format("{} is not supported; 2, 4, 6 and 8 are", contact.tie.failure));
+    }
     read_sides(record, block, contact, reading);
 
     contact.static_friction = record.real("FS");
@@ -197,10 +214,21 @@ void read_contact(const Record& record, const Block& block, Reading& reading)
 
     contact.soft = static_cast<int>(record.integer("SOFT"));
     contact.soft_scale = real_or(record, "SOFSCL", 0.1);
+    const double stiffness_step = record.real("DTSTIF");
+    if (stiffness_step < 0) reading.warning(record, "DTSTIF", "only positive values change the stiffness");
+    contact.soft_step = std::max(0.0, stiffness_step);
     contact.largest_penetration = record.real("PENMAX");
     contact.square_edges = record.integer("SHLEDG") == 1;
     contact.thickness_option = static_cast<int>(record.integer("SHLTHK"));
+    const Id beams = std::max(record.integer("CPARM8"), record.integer("CPARM8_MPP"));
+    contact.spot_weld_beams = beams == 2;
+    contact.exclude_same_part_beams = beams == 1;
+    contact.inner_edges = contact.kind == Contact::Kind::general && holds(name, "INTERIOR");
     contact.initial_penetration = static_cast<int>(record.integer("IGNORE"));
+    if (name.ends_with("_MORTAR")) {
+        reading.warning(record, {},
+                        "acts as the penalty contact of nodes on segments, not as a mortar contact");
+    }
     reading.model.contacts.push_back(std::move(contact));
 }
 

@@ -40,6 +40,22 @@ void read_timestep(const Record& record, const Block&, Reading& reading)
     if (time.step_scale < 0) reading.error(record, "TSSFAC", "the scale of the step is negative");
 }
 
+/// IDRFLG = 0 and -999: no dynamic relaxation, unless a curve asks for it, which says so itself (SIDR).
+void read_relaxation(const Record& record, const Block&, Reading& reading)
+{
+    const Id flag = record.integer("IDRFLG");
+    if (flag != 0 && flag != -999)
+        reading.error(record, "IDRFLG", "dynamic relaxation is not supported; 0 and -999 ask for none");
+}
+
+/// Only structures are computed: SOLN = 1 and 2 ask for heat.
+void read_solution(const Record& record, const Block&, Reading& reading)
+{
+    reading.heat_only = record.integer("SOLN") == 1;
+    if (record.integer("SOLN") != 0)
+        reading.error(record, "SOLN", "thermal analysis is not supported; 0 is structural analysis");
+}
+
 /// 1: not computed, 2: computed.
 void read_energy(const Record& record, const Block&, Reading& reading)
 {
@@ -86,6 +102,9 @@ void read_solid(const Record& record, const Block&, Reading& reading)
 constexpr Translator keywords[] = {
     {"CONTROL_TERMINATION", Phase::conditions, read_termination},
     {"CONTROL_TIMESTEP", Phase::conditions, read_timestep},
+    {"CONTROL_SOLUTION", Phase::conditions, read_solution},
+    {"CONTROL_DAMPING", Phase::conditions, read_relaxation},
+    {"CONTROL_DYNAMIC_RELAXATION", Phase::conditions, read_relaxation},
     {"CONTROL_ENERGY", Phase::conditions, read_energy},
     {"CONTROL_HOURGLASS", Phase::conditions, read_hourglass},
     {"CONTROL_BULK_VISCOSITY", Phase::conditions, read_bulk_viscosity},

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace plash {
 namespace {
@@ -44,6 +46,9 @@ void read_curve(const Record& record, const Block& block, Reading& reading)
         curve.curve.ordinate.push_back(ordinate);
     }
     if (count == 0) reading.error(record, "A1", fmt::format("curve {} has no points", curve.id));
+    if (block.transform && block.transform->units.change())
+        reading.foreign_curves.emplace_back(static_cast<Index>(reading.model.curves.size()),
+                                            &block.transform->units);
     reading.model.curves.push_back(std::move(curve));
 }
 
@@ -67,9 +72,17 @@ void read_table(const Record& record, const Block& block, Reading& reading)
         }
         table.abscissa.push_back(value);
         // For now the number of the curve: it may be defined further down.
-        table.curves.push_back(static_cast<Index>(rows->at(i, 1)));
+        const double number = rows->at(i, 1);
+        const bool possible = std::abs(number) <= std::numeric_limits<Index>::max();
+        if (!possible)
+            reading.report.error({block.where.file, rows->lines[i]}, record.keyword, "LCID",
+                                 fmt::format("{} is too large for the number of a curve in a table", number));
+        table.curves.push_back(possible ? static_cast<Index>(number) : 0);
     }
     if (count == 0) reading.error(record, "VALUE", fmt::format("table {} has no values", table.id));
+    if (block.transform && block.transform->units.change())
+        reading.foreign_tables.emplace_back(static_cast<Index>(reading.model.tables.size()),
+                                            &block.transform->units);
     reading.model.tables.push_back(std::move(table));
 }
 
@@ -101,9 +114,10 @@ void finish_tables(Reading& reading)
         for (Index& curve : table.curves) {
             const Id id = curve;
             if (numbered)
-                curve = reading.table(Kind::curve).find(id);
+                curve = reading.look_up(Kind::curve, id);
             else
                 curve = next < model.curves.size() ? static_cast<Index>(next++) : none;
+            if (curve != none) reading.use(Kind::curve, model.curves[curve].id);
             if (curve != none) continue;
             reading.report.error(
                 table.where, "DEFINE_TABLE", "LCID",

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace plash {
 namespace {
 
@@ -16,7 +19,10 @@ Index part_of(const Record& record, Reading& reading)
 
 void read_beam(const Record& record, const Block&, Reading& reading)
 {
-    if (!record.peek("N1")) return; // pulleys and the like are no beams
+    if (!record.peek("N1")) { // pulleys and the like are no beams
+        reading.model.others.push_back(record);
+        return;
+    }
     BeamElements& beams = reading.model.beams;
     ++reading.report.elements.beam;
     const Index part = part_of(record, reading);
@@ -27,6 +33,16 @@ void read_beam(const Record& record, const Block&, Reading& reading)
     beams.id.push_back(record.id);
     beams.part.push_back(part);
     beams.nodes.push_back(nodes);
+    // Everything that a beam may have besides stays at hand as the deck gives it.
+    const bool more = std::any_of(record.fields.begin(), record.fields.end(), [](const Record::Field& field) {
+        return field.given && field.name != "PID" && field.name != "N1" && field.name != "N2" &&
+               field.name != "N3";
+    });
+    if (more || !beams.options.empty()) beams.options.resize(beams.size(), none);
+    if (more) {
+        beams.options.back() = static_cast<Index>(reading.model.others.size());
+        reading.model.others.push_back(record);
+    }
     const bool orientation = record.peek("VX") != nullptr;
     if (!orientation && beams.orientation.empty()) return;
     beams.orientation.resize(beams.size());
@@ -69,6 +85,9 @@ void read_particles(const Block& block, Reading& reading)
     particles.node.reserve(expected);
     particles.part.reserve(expected);
     particles.mass.reserve(expected);
+    const UnitFactors units = block.transform ? block.transform->units : UnitFactors{};
+    const double volume_over_mass = std::pow(units.length, 3) / units.mass;
+    const bool volumes = block.keyword.name.ends_with("_VOLUME");
     NumberLine numbers(block, reading, block.keyword.layout->cards[0].fields);
     ElementIds ids(block, reading);
     LineCursor cursor(block.text, block.where.line + 1);
@@ -95,7 +114,9 @@ void read_particles(const Block& block, Reading& reading)
             }
             particles.node.push_back(node);
             particles.part.push_back(part);
-            particles.mass.push_back(numbers.real(2));
+            const double value = numbers.real(2);
+            // A negative mass is a volume, and came with the factor of a mass.
+            particles.mass.push_back(volumes ? -value : value < 0 ? value * volume_over_mass : value);
         }
         reading.report.elements.sph += last - first;
     }
@@ -107,6 +128,7 @@ constexpr Translator keywords[] = {
     {"ELEMENT_DISCRETE", Phase::elements, read_discrete},
     {"ELEMENT_MASS", Phase::elements, read_mass},
     {"ELEMENT_SPH", Phase::elements, nullptr, read_particles},
+    {"ELEMENT_SPH_VOLUME", Phase::elements, nullptr, read_particles},
 };
 
 } // namespace

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace plash {
 namespace {
 
@@ -54,6 +57,10 @@ void read_system_of_nodes(const Record& record, const Block&, Reading& reading)
     const Vec3 origin = node_position(record, "N1", reading);
     keep_system(record, origin, node_position(record, "N2", reading) - origin,
                 node_position(record, "N3", reading) - origin, reading);
+    if (record.integer("FLAG") != 1) return;
+    reading.model.coordinate_systems.back().nodes = {reading.find(record, "N1", Kind::node),
+                                                     reading.find(record, "N2", Kind::node),
+                                                     reading.find(record, "N3", Kind::node)};
 }
 
 void read_vector(const Record& record, const Block& block, Reading& reading)
@@ -63,11 +70,25 @@ void read_vector(const Record& record, const Block& block, Reading& reading)
                                      motion.point(vector_of(record, "XH", "YH", "ZH")), record.where});
 }
 
+/// Moved, stretched, mirrored or turned by right angles: what lies along an axis still does.
+bool keeps_axes(const Affine& motion)
+{
+    constexpr double round_off = 1e-9; // of the sines of right angles, relative to the stretch
+    return std::all_of(motion.columns.begin(), motion.columns.end(), [](const Vec3& column) {
+        const double largest = std::max({std::abs(column.x), std::abs(column.y), std::abs(column.z)});
+        return std::abs(column.x) + std::abs(column.y) + std::abs(column.z) - largest <= round_off * largest;
+    });
+}
+
 void read_box(const Record& record, const Block& block, Reading& reading)
 {
-    if (reading.motions.contains(block.transform))
-        reading.error(record, "BOXID", "a box in an include that is moved is not supported");
-    const Box box{vector_of(record, "XMN", "YMN", "ZMN"), vector_of(record, "XMX", "YMX", "ZMX")};
+    const Affine motion = reading.motion_of(block);
+    if (!keeps_axes(motion))
+        reading.error(record, "BOXID", "the include is turned, and a box has its sides along the axes");
+    const Vec3 one = motion.point(vector_of(record, "XMN", "YMN", "ZMN"));
+    const Vec3 other = motion.point(vector_of(record, "XMX", "YMX", "ZMX"));
+    const Box box{{std::min(one.x, other.x), std::min(one.y, other.y), std::min(one.z, other.z)},
+                  {std::max(one.x, other.x), std::max(one.y, other.y), std::max(one.z, other.z)}};
     reading.model.boxes.push_back({record.id, box, record.where});
 }
 

@@ -1,4 +1,4 @@
-// *INITIAL_VELOCITY family.
+// *INITIAL_VELOCITY family and *INITIAL_AXIAL_FORCE_BEAM.
 
 #include "parser/reading.h"
 
@@ -80,8 +80,7 @@ std::vector<Index> generation_nodes(const Record& record, const Block& block, Re
         reading.error(record, "STYP", fmt::format("{} is not one of 1 part set, 2 part, 3 node set", type));
         return {};
     }
-    const Index index =
-        reading.table(kinds[type - 1]).find(block.number(kinds[type - 1], record.integer("ID")));
+    const Index index = reading.look_up(kinds[type - 1], block.number(kinds[type - 1], record.integer("ID")));
     if (index == none) {
         reading.error(record, "ID",
                       fmt::format("there is no {} {}", to_string(kinds[type - 1]), record.integer("ID")));
@@ -108,6 +107,7 @@ void read_generation(const Record& record, const Block& block, Reading& reading)
     velocity.axis = unit(reading.motion_of(block).direction(velocity.axis));
     velocity.angular_velocity = velocity.spin * velocity.axis;
     velocity.set_rotation = velocity.spin != 0;
+    velocity.over_inertia = record.integer("IRIGID") == 1;
     keep(velocity, reading);
 }
 
@@ -115,13 +115,34 @@ void read_rigid_body_velocity(const Record& record, const Block& block, Reading&
 {
     RigidBodyVelocity velocity;
     velocity.where = record.where;
-    velocity.part = reading.find(record, "PID", Kind::part);
+    velocity.part = reading.find_body(record.integer("PID"));
     velocity.translation = to_global(record, block, vector_of(record, "VX", "VY", "VZ"), reading);
     velocity.angular_velocity = to_global(record, block, vector_of(record, "VXR", "VYR", "VZR"), reading);
     if (velocity.part != none) reading.model.rigid_body_velocities.push_back(velocity);
 }
 
+void read_beam_preload(const Record& record, const Block&, Reading& reading)
+{
+    BeamPreload preload;
+    preload.where = record.where;
+    const Index set = reading.find(record, "BSID", Kind::beam_set);
+    if (set != none) preload.beams = reading.model.beam_sets[set].elements;
+    preload.curve = reading.find(record, "LCID", Kind::curve);
+    if (record.integer("LCID") == 0) reading.error(record, "LCID", "a preload needs a curve of its force");
+    preload.scale = record.real("SCALE", 1);
+    if (preload.scale == 0) preload.scale = 1; // an empty field
+    const Id bending = record.integer("KBEND");
+    if (bending != 0 && bending != 1) {
+        reading.error(record, "KBEND",
+                      fmt::format("{} is not supported (0: bending is free under the preload, 1: it is kept)",
+                                  bending));
+    }
+    preload.keeps_bending = bending == 1;
+    reading.model.beam_preloads.push_back(std::move(preload));
+}
+
 constexpr Translator keywords[] = {
+    {"INITIAL_AXIAL_FORCE_BEAM", Phase::conditions, read_beam_preload},
     {"INITIAL_VELOCITY", Phase::conditions, read_velocity},
     {"INITIAL_VELOCITY_NODE", Phase::conditions, read_node_velocity},
     {"INITIAL_VELOCITY_GENERATION", Phase::conditions, read_generation},

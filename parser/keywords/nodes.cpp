@@ -1,5 +1,6 @@
 // *NODE: the longest list of a deck.
 
+#include "parser/large_pages.h"
 #include "parser/number.h"
 #include "parser/number_line.h"
 
@@ -7,14 +8,6 @@
 
 namespace plash {
 namespace {
-
-bool only_blanks_left(LineCursor cursor)
-{
-    std::string_view line;
-    while (cursor.next_data(line))
-        if (!trimmed(line).empty()) return false;
-    return true;
-}
 
 /// TC and RC of *NODE: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz.
 FreedomMask freedoms_of_code(Id code)
@@ -43,16 +36,22 @@ void read_nodes(const Block& block, Reading& reading)
     Nodes& nodes = reading.model.nodes;
     nodes.id.reserve(nodes.id.size() + block.lines);
     nodes.position.reserve(nodes.position.size() + block.lines);
+    use_large_pages(nodes.id);
+    use_large_pages(nodes.position);
     if (block.transform && !block.transform->transformations.empty())
         reading.moved_nodes.emplace_back(&block, static_cast<Index>(nodes.size()));
     else if (!reading.moved_nodes.empty())
         reading.moved_nodes.emplace_back(nullptr, static_cast<Index>(nodes.size()));
     NumberLine numbers(block, reading, block.keyword.layout->cards[0].fields);
     LineCursor cursor(block.text, block.where.line + 1);
+    const char* const last_data = end_of_data(block.text);
+    const std::size_t before = nodes.size();
+    TextRelease release(*reading.deck.files[block.where.file], block.text);
     std::string_view line;
     while (cursor.next_data(line)) {
+        release.up_to(line.data());
         if (trimmed(line).empty()) {
-            if (only_blanks_left(cursor)) break;
+            if (cursor.position() >= last_data) break;
             continue;
         }
         if (!numbers.read(line, cursor.line())) continue;
@@ -69,7 +68,7 @@ void read_nodes(const Block& block, Reading& reading)
         nodes.id.push_back(numbers.id(0));
         nodes.position.push_back({numbers.real(1), numbers.real(2), numbers.real(3)});
     }
-    reading.report.fields.honoured += static_cast<long>(4 * nodes.size());
+    reading.report.fields.honoured += static_cast<long>(4 * (nodes.size() - before));
 }
 
 /// Kept until all nodes are known: some transformations are told by nodes.

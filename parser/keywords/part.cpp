@@ -33,31 +33,9 @@ Vec3 vector_of(const Record& record, std::string_view x, std::string_view y, std
     return {record.real(x), record.real(y), record.real(z)};
 }
 
-void read_part_inertia(const Record& record, const Block&, Reading& reading)
+void read_part_inertia(const Record& record, const Block& block, Reading& reading)
 {
-    PartInertia inertia;
-    inertia.where = record.where;
-    inertia.mass = record.real("TM");
-    inertia.center = vector_of(record, "XC", "YC", "ZC");
-    inertia.center_node = reading.find(record, "NODEID", Kind::node);
-    inertia.xx = record.real("IXX");
-    inertia.xy = record.real("IXY");
-    inertia.xz = record.real("IXZ");
-    inertia.yy = record.real("IYY");
-    inertia.yz = record.real("IYZ");
-    inertia.zz = record.real("IZZ");
-    inertia.velocity = vector_of(record, "VTX", "VTY", "VTZ");
-    inertia.angular_velocity = vector_of(record, "VRX", "VRY", "VRZ");
-    if (record.integer("IRCS") == 1) {
-        if (const Index system = reading.find(record, "CID", Kind::coordinate); system != none) {
-            inertia.axes = reading.model.coordinate_systems[system].axes;
-        } else {
-            const Vec3 x = unit(vector_of(record, "XL", "YL", "ZL"));
-            const Vec3 z = unit(cross(x, vector_of(record, "XLIP", "YLIP", "ZLIP")));
-            if (norm(z) < 0.5) reading.error(record, "XL", "the axes of the inertia tensor lie on one line");
-            inertia.axes = {x, cross(z, x), z};
-        }
-    }
+    const PartInertia inertia = read_inertia(record, block, "CID", reading);
     reading.model.parts.push_back(part_of(record, reading));
     reading.model.part_inertias[static_cast<Index>(reading.model.parts.size()) - 1] = inertia;
 }
@@ -89,7 +67,7 @@ void read_part_composite(const Record& record, const Block&, Reading& reading)
             for (std::size_t column = 0; column + 2 < plies->columns.size(); ++column) {
                 if (!plies->columns[column].starts_with("MID")) continue;
                 Layer layer;
-                layer.material = reading.table(Kind::material).find(static_cast<Id>(plies->at(row, column)));
+                layer.material = reading.look_up(Kind::material, static_cast<Id>(plies->at(row, column)));
                 layer.thickness = plies->at(row, column + 1);
                 layer.angle = plies->at(row, column + 2);
                 if (plies->at(row, column) != 0 && layer.thickness != 0) part.layers.push_back(layer);
@@ -114,6 +92,41 @@ constexpr Translator keywords[] = {
 std::span<const Translator> part_keywords()
 {
     return keywords;
+}
+
+PartInertia read_inertia(const Record& record, const Block& block, std::string_view system_field,
+                         Reading& reading)
+{
+    const Affine motion = reading.motion_of(block);
+    PartInertia inertia;
+    inertia.where = record.where;
+    inertia.mass = record.real("TM");
+    inertia.center = motion.point(vector_of(record, "XC", "YC", "ZC"));
+    if (record.peek("NODEID")) inertia.center_node = reading.find(record, "NODEID", Kind::node);
+    inertia.xx = record.real("IXX");
+    inertia.xy = record.real("IXY");
+    inertia.xz = record.real("IXZ");
+    inertia.yy = record.real("IYY");
+    inertia.yz = record.real("IYZ");
+    inertia.zz = record.real("IZZ");
+    if (record.peek("VTX")) {
+        inertia.velocity = motion.direction(vector_of(record, "VTX", "VTY", "VTZ"));
+        inertia.angular_velocity = motion.direction(vector_of(record, "VRX", "VRY", "VRZ"));
+    }
+    if (record.peek("IRCS") && record.integer("IRCS") == 1) {
+        const Index system =
+            record.peek(system_field) ? reading.find(record, system_field, Kind::coordinate) : none;
+        if (system != none) {
+            inertia.axes = reading.model.coordinate_systems[system].axes;
+            return inertia;
+        }
+        const Vec3 x = unit(vector_of(record, "XL", "YL", "ZL"));
+        const Vec3 z = unit(cross(x, vector_of(record, "XLIP", "YLIP", "ZLIP")));
+        if (norm(z) < 0.5) reading.error(record, "XL", "the axes of the inertia tensor lie on one line");
+        inertia.axes = {x, cross(z, x), z};
+    }
+    for (Vec3& axis : inertia.axes) axis = motion.direction(axis);
+    return inertia;
 }
 
 } // namespace plash

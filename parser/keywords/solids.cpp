@@ -1,5 +1,6 @@
 // *ELEMENT_SOLID in both formats, its _ORTHO form and ten-node tetrahedra.
 
+#include "parser/large_pages.h"
 #include "parser/number.h"
 #include "parser/number_line.h"
 
@@ -31,10 +32,16 @@ public:
         solids.id.reserve(solids.size() + block_.lines);
         solids.part.reserve(solids.id.capacity());
         solids.nodes.reserve(solids.id.capacity());
+        use_large_pages(solids.id);
+        use_large_pages(solids.part);
+        use_large_pages(solids.nodes);
         if (orthotropic_) solids.axes.resize(solids.size());
+        TextRelease release(*reading_.deck.files[block_.where.file], block_.text);
         std::string_view line;
-        while (cursor_.next_data(line))
+        while (cursor_.next_data(line)) {
+            release.up_to(line.data());
             if (!trimmed(line).empty()) read_element(line);
+        }
         if (!solids.axes.empty()) solids.axes.resize(solids.size());
     }
 

@@ -62,8 +62,8 @@ TEST_F(ReadTargets, BouncingBall)
         ASSERT_EQ(model.initial_velocities.size(), 1u);
         EXPECT_EQ(model.initial_velocities[0].nodes.size(), 976u);
         EXPECT_EQ(model.initial_velocities[0].translation.y, -30);
-        ASSERT_EQ(model.planar_walls.size(), 1u);
-        EXPECT_NEAR(norm(model.planar_walls[0].normal), 1, 1e-15);
+        ASSERT_EQ(model.rigid_walls.size(), 1u);
+        EXPECT_NEAR(norm(model.rigid_walls[0].normal), 1, 1e-15);
         EXPECT_EQ(model.materials[0].real("A"), 5.4e-4);
         EXPECT_EQ(model.parts[0].hourglass, 0);
     }

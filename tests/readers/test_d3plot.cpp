@@ -293,7 +293,7 @@ TEST(D3plot, HonoursTheExtentThatTheDeckAsksFor)
     TemporaryFolder folder;
     SnapshotFixture fixture = small_model();
     fixture.model.controls.output.extent = {{"MAXINT", 2}, {"RLTFLG", 2}, {"IEVERP", 1}};
-    fixture.model.planar_walls.resize(2); // their forces and places enter the global words
+    fixture.model.rigid_walls.resize(2); // their forces and places enter the global words
     fixture.add_results().fill = [](const State&, ElementResults& r) {
         if (r.shell_stress.empty()) return;
         ASSERT_EQ(r.shell_layers, 2);

@@ -26,8 +26,8 @@ void write_run(const std::string& folder)
 {
     SnapshotFixture fixture = small_model();
     fixture.model.controls.output.d3plot.interval = 0.1;
-    fixture.model.planar_walls.resize(1);
-    fixture.model.planar_walls[0].normal = {0, 0, 1};
+    fixture.model.rigid_walls.resize(1);
+    fixture.model.rigid_walls[0].normal = {0, 0, 1};
     fixture.add_results().fill = [](const State&, ElementResults& r) {
         if (r.solid_stress.empty()) return;
         for (Index e = 0; e < 3; ++e) {

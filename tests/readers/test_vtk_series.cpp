@@ -87,10 +87,10 @@ TEST(VtkSeries, NamesItsStatesAfterEachOne)
     std::ofstream(folder / "vtk/result_0009.vtu") << "of an earlier run";
     std::ofstream(folder / "vtk/notes.txt") << "of somebody";
     fixture.model.controls.output.d3plot.interval = 0.1;
-    fixture.model.planar_walls.resize(1);
-    fixture.model.planar_walls[0].id = 4;
-    fixture.model.planar_walls[0].tail = {0, 0, -1};
-    fixture.model.planar_walls[0].normal = {0, 0, 1};
+    fixture.model.rigid_walls.resize(1);
+    fixture.model.rigid_walls[0].id = 4;
+    fixture.model.rigid_walls[0].tail = {0, 0, -1};
+    fixture.model.rigid_walls[0].normal = {0, 0, 1};
     auto recorders = make_recorders(fixture.model, folder.path().string(), {.vtk = true});
     ASSERT_EQ(recorders.size(), 2u); // d3plot and the series
     EXPECT_FALSE(std::filesystem::exists(folder / "vtk/result_0009.vtu"));

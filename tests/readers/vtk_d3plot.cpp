@@ -38,7 +38,8 @@ VtkPart part_of(vtkUnstructuredGrid* grid, const std::string& name)
     vtkCellData* cells = grid->GetCellData();
     vtkNew<vtkIdList> corners;
     for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i) {
-        part.element_ids.push_back(cells->GetArray("UserIds")->GetVariantValue(i).ToLongLong());
+        if (vtkDataArray* ids = cells->GetArray("UserIds")) // not for particles
+            part.element_ids.push_back(ids->GetVariantValue(i).ToLongLong());
         grid->GetCellPoints(i, corners);
         part.corners.emplace_back(corners->begin(), corners->end());
     }
@@ -58,8 +59,10 @@ void collect_parts(vtkMultiBlockDataSet* blocks, std::vector<VtkPart>& parts)
         vtkDataObject* block = blocks->GetBlock(i);
         if (auto* inner = vtkMultiBlockDataSet::SafeDownCast(block)) collect_parts(inner, parts);
         if (auto* grid = vtkUnstructuredGrid::SafeDownCast(block)) {
-            const char* name = blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME());
-            parts.push_back(part_of(grid, name ? name : ""));
+            const bool named =
+                blocks->HasMetaData(i) && blocks->GetMetaData(i)->Has(vtkCompositeDataSet::NAME());
+            parts.push_back(
+                part_of(grid, named ? blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) : ""));
         }
     }
 }

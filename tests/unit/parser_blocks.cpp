@@ -1,6 +1,7 @@
 // Keyword lines, blocks, options and includes: rules 1 to 4, 14 and 21 to 31 of the format.
 
 #include "parser/layout.h"
+#include "parser/text_file.h"
 #include "tests/unit/parser_support.h"
 
 namespace plash {
@@ -198,6 +199,38 @@ TEST(Duplicates, IdenticalNodesWarnDifferentOnesAreErrors)
     EXPECT_EQ(same.model.fixed_nodes.at(0).nodes, (std::vector<Index>{1}));
     const ReadResult other = read_text("*NODE\n1,1.,2.,3.\n1,1.,2.,4.\n");
     EXPECT_FALSE(other.ok);
+}
+
+TEST(Lines, AreCountedAndFoundAnywhere)
+{
+    std::string text;
+    for (int line = 0; line < 1000; ++line) text += std::string(line % 90, 'x') + "\n";
+    text += "a*\n*KEY";
+    EXPECT_EQ(count_lines(text), 1001);
+    EXPECT_EQ(count_lines({}), 0);
+    EXPECT_EQ(find_line(text, "*", text.data()) - text.data(), static_cast<std::ptrdiff_t>(text.size()) - 4);
+    const std::string_view inside = "a*b\n c*\n*A";
+    EXPECT_EQ(find_line(inside, "*", inside.data()) - inside.data(), 8);
+    EXPECT_EQ(find_line(inside.substr(1, 6), "*", inside.data()),
+              nullptr); // a part that starts inside a line
+    const std::string_view lines = "1\n$\n2 \n\n$ x\n  \n";
+    EXPECT_EQ(end_of_data(lines) - lines.data(), 6); // behind "2 "
+    const std::string_view blank = "\n$\n";
+    EXPECT_EQ(end_of_data(blank), blank.data());
+}
+
+TEST(Checks, TheVolumeOfAWarpedBrickIsTheMeanOfBothTriangulationsOfItsFaces)
+{
+    // A unit brick with one corner at height h has the volume (3 + h) / 4: each corner carries a quarter.
+    const auto errors = [](const std::string& height) {
+        return errors_of(read_text(
+            "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n5,0.,0.,1.\n6,1.,0.,1.\n7,1.,1.," +
+            height +
+            "\n8,0.,1.,1.\n*PART\np\n1,1,1\n*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,1.,1.\n"
+            "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n"));
+    };
+    EXPECT_EQ(errors("-2.9"), "");
+    EXPECT_NE(errors("-3.1"), "");
 }
 
 } // namespace plash

@@ -167,8 +167,8 @@ TEST(Fields, HeadingsKeepTheirCommas)
                                         "         0\n"
                                         "       0.0       0.0       0.0       0.0       0.0       1.0\n");
     EXPECT_EQ(errors_of(result), "");
-    EXPECT_EQ(result.model.planar_walls.at(0).id, 3);
-    EXPECT_EQ(result.model.planar_walls[0].title, "Fix x,y,z target");
+    EXPECT_EQ(result.model.rigid_walls.at(0).id, 3);
+    EXPECT_EQ(result.model.rigid_walls[0].title, "Fix x,y,z target");
 }
 
 TEST(Fields, NodesReadTheSameInEveryFormat)

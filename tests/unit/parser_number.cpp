@@ -68,4 +68,32 @@ TEST(Number, ReadsWholeNumbersAlsoWrittenAsReals)
     EXPECT_FALSE(parse_whole("1 2", value));
 }
 
+TEST(Number, EightColumnsAtOnceReadAsOneByOne)
+{
+    // Every mixture of blanks, digits, signs and what stands beside them in the character table.
+    const std::string characters = " 0189-+./:*\t!";
+    std::uint32_t random = 1;
+    for (int i = 0; i < 200'000; ++i) {
+        std::string text(8, ' ');
+        for (char& character : text) {
+            random = random * 1664525u + 1013904223u;
+            const std::uint32_t choice = random >> 16;
+            // Mostly blanks and digits: arbitrary text is hardly ever a number.
+            character = choice % 16 < 6    ? ' '
+                        : choice % 16 < 15 ? static_cast<char>('0' + choice / 16 % 10)
+                                           : characters[choice / 16 % characters.size()];
+        }
+        std::int64_t eight = -1, wanted = -1;
+        if (!parse_eight_digits(text.data(), eight)) {
+            const auto first = text.find_first_not_of(' ');
+            EXPECT_FALSE(first == std::string::npos ||
+                         text.find_first_not_of("0123456789", first) == std::string::npos)
+                << "'" << text << "'";
+            continue;
+        }
+        ASSERT_TRUE(parse_digits(text.data(), text.data() + 8, wanted)) << "'" << text << "'";
+        EXPECT_EQ(eight, wanted) << "'" << text << "'";
+    }
+}
+
 } // namespace plash

@@ -115,6 +115,78 @@ TEST(Transformation, AutoOffsetAvoidsTheNumbersReadBefore)
     EXPECT_EQ(result.model.nodes.id, (std::vector<Id>{1, 5, 6, 10, 101, 105}));
 }
 
+TEST(Transformation, BoxesMoveUnlessTheyWouldLieAskew)
+{
+    const auto read = [](const std::string& lines) {
+        const DeckFolder folder;
+        folder.write("box.k", "*DEFINE_BOX\n1,0.,1.,0.,2.,0.,3.\n");
+        return read_model(folder.write("deck.k", "*INCLUDE_TRANSFORM\nbox.k\n0\n0\n1.,1.,1.\n7\n"
+                                                 "*DEFINE_TRANSFORMATION\n7\n" +
+                                                     lines));
+    };
+    const ReadResult moved = read("ROTATE,0.,0.,1.,0.,0.,0.,90.\nTRANSL,10.,0.,0.\n");
+    EXPECT_EQ(errors_of(moved), "");
+    expect_near(moved.model.boxes.at(0).box.low, {8, 0, 0});
+    expect_near(moved.model.boxes.at(0).box.high, {10, 1, 3});
+    EXPECT_EQ(
+        errors_of(read("ROTATE,0.,0.,1.,0.,0.,0.,45.\n")),
+        "box.k:2: *DEFINE_BOX, field BOXID: the include is turned, and a box has its sides along the axes\n");
+}
+
+TEST(Transformation, UnitsOfAnIncludeBecomeThoseOfTheDeck)
+{
+    // kg, m, s in the include; t, mm, s in the deck: masses by 1e-3, lengths by 1e3.
+    const DeckFolder folder;
+    folder.write("part.k", "*NODE\n1,1.,2.,3.\n2,1.,0.,0.\n3,1.,1.,0.\n*PART\np\n1,1,1\n"
+                           "*SECTION_SHELL\n1,2,.8333\n.002,.002,.002,.002\n"
+                           "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7800.,2.1e11,.3,3e8,0.,.25\n40.,5.,7\n"
+                           "*ELEMENT_SHELL_THICKNESS\n1,1,1,2,3,3\n.001,.001,.001,.001\n"
+                           "*DEFINE_CURVE\n7\n0.,3e8\n1.,4e8\n*DEFINE_CURVE\n8\n0.,0.\n.5,10.\n"
+                           "*ELEMENT_SPH\n1,1,5.\n2,1,-2.\n*INITIAL_VELOCITY_NODE\n1,3.\n"
+                           "*ELEMENT_MASS\n1,1,4.\n");
+    const ReadResult result = read_model(
+        folder.write("deck.k", "*INCLUDE_TRANSFORM\npart.k\n0\n0\n.001,1.,1000.\n*LOAD_NODE_POINT\n1,1,8,1.\n"
+                               "*LOAD_NODE_POINT\n1,2,8,1.\n"));
+    EXPECT_EQ(errors_of(result), "");
+    const Model& model = result.model;
+    expect_near(model.nodes.position[0], {1000, 2000, 3000});
+    EXPECT_DOUBLE_EQ(model.sections[0].real("T1"), 2);
+    EXPECT_DOUBLE_EQ(model.sections[0].real("SHRF"), .8333);
+    EXPECT_DOUBLE_EQ(model.shells.thickness[0][0], 1);
+    const Record& steel = model.materials[0];
+    EXPECT_DOUBLE_EQ(steel.real("RO"), 7.8e-9);
+    EXPECT_DOUBLE_EQ(steel.real("E"), 2.1e5);
+    EXPECT_DOUBLE_EQ(steel.real("SIGY"), 300);
+    EXPECT_DOUBLE_EQ(steel.real("PR"), .3);
+    EXPECT_DOUBLE_EQ(steel.real("C"), 40);
+    EXPECT_EQ(model.curves[0].curve.abscissa, (std::vector<double>{0, 1}));
+    EXPECT_DOUBLE_EQ(model.curves[0].curve.ordinate[1], 400);
+    // 10 N are 10 t mm / s^2.
+    EXPECT_DOUBLE_EQ(model.curves[1].curve.ordinate[1], 10);
+    EXPECT_DOUBLE_EQ(model.curves[1].curve.abscissa[1], .5);
+    EXPECT_DOUBLE_EQ(model.particles.mass[0], .005);
+    EXPECT_DOUBLE_EQ(model.particles.mass[1], -2e9);
+    EXPECT_DOUBLE_EQ(model.initial_velocities.at(0).translation.x, 3000);
+    EXPECT_DOUBLE_EQ(model.masses.mass.at(0), .004);
+}
+
+TEST(Transformation, UnitsThatPlashCannotConvertAreErrors)
+{
+    const DeckFolder folder;
+    folder.write("part.k", "*MAT_WOOD\n1,600.\n1.\n*DEFINE_CURVE\n7\n0.,1.\n1.,4.\n");
+    const ReadResult result = read_model(
+        folder.write("deck.k", "*INCLUDE_TRANSFORM\npart.k\n0\n0\n1.,.001,1.\n*LOAD_NODE_POINT\n1,1,7,1.\n"
+                               "*LOAD_SEGMENT\n7,1.,0.,1,1,1,1\n*NODE\n1,0.,0.,0.\n"));
+    EXPECT_FALSE(result.ok);
+    const std::string errors = errors_of(result);
+    EXPECT_NE(
+        errors.find("part.k:5: *DEFINE_CURVE: 7 is used by *LOAD_NODE_POINT LCID and *LOAD_SEGMENT LCID in "
+                    "different units: *INCLUDE_TRANSFORM cannot convert it"),
+        std::string::npos)
+        << errors;
+    EXPECT_NE(errors.find("Plash does not know the unit of this field"), std::string::npos) << errors;
+}
+
 TEST(Transformation, RotationsKeepLengthsAndMirrorsAreTheirOwnInverse)
 {
     const Vec3 point{1, -2, 3};

@@ -58,7 +58,7 @@ std::string written(SnapshotFixture& fixture, const std::string& name)
     TemporaryFolder folder;
     fixture.model.controls.output.ascii[name].interval = 0.1;
     auto recorders = make_recorders(fixture.model, folder.path().string());
-    EXPECT_EQ(recorders.size(), 1u);
+    EXPECT_EQ(recorders.size(), 2u); // the file, and its curves in history.h5
     recorders.at(0)->write(fixture.snapshot());
     return text_of(folder / name);
 }
@@ -85,7 +85,7 @@ TEST(AsciiOutput, MakesOnlyTheFilesThatAreAskedForAndHaveSomethingToShow)
     EXPECT_TRUE(make_recorders(fixture.model, folder.path().string()).empty());
     requests["glstat"].interval = 1;
     fixture.model.controls.output.history_nodes = {1};
-    EXPECT_EQ(make_recorders(fixture.model, folder.path().string()).size(), 2u);
+    EXPECT_EQ(make_recorders(fixture.model, folder.path().string()).size(), 3u); // and history.h5
     EXPECT_THROW(make_recorders(fixture.model, folder / "nowhere"), std::runtime_error);
 }
 
@@ -155,8 +155,8 @@ TEST(AsciiOutput, RwforcShowsEveryWall)
 {
     SnapshotFixture fixture = two_parts();
     fixture.start();
-    fixture.model.planar_walls.resize(1);
-    fixture.model.planar_walls[0].id = 3;
+    fixture.model.rigid_walls.resize(1);
+    fixture.model.rigid_walls[0].id = 3;
     fixture.clock.time = 0.5;
     fixture.add_results().fill = [](const State&, ElementResults& results) {
         results.walls.push_back({3, 7, {0, 0, -7}, 0});
@@ -174,7 +174,7 @@ TEST(AsciiOutput, MatsumShowsEveryPart)
     fixture.ledger.add_part(1, 7, 0.5);
     fixture.add_results().fill = [](const State&, ElementResults& results) {
         if (results.part_motion.empty()) return;
-        results.part_motion[1] = {2, 9, {4, 6, 8}, 0.25, 0.125};
+        results.part_motion[1] = {2, 9, {4, 6, 8}, false, 0.25, 0.125};
     };
     const testing::MatsumFile file = testing::read_matsum(written(fixture, "matsum"));
     EXPECT_EQ(file.heading.substr(0, 8), " a title");

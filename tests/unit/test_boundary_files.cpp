@@ -130,7 +130,7 @@ TEST(BoundaryForces, AreWrittenIntoTheirFiles)
     testing::TemporaryFolder folder;
     Scene scene = make_scene(model);
     Recorders recorders = make_recorders(model, folder.path().string());
-    ASSERT_EQ(recorders.size(), 2u); // no wall, no rwforc
+    ASSERT_EQ(recorders.size(), 3u); // no wall, no rwforc; history.h5
     run(scene, recorders);
     const std::string spcforc = testing::text_of(folder / "spcforc");
     EXPECT_NE(

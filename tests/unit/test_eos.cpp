@@ -1,5 +1,6 @@
 #include "eos/gruneisen.h"
 #include "eos/linear_polynomial.h"
+#include "eos/murnaghan.h"
 #include "tests/paths.h"
 #include "tests/support/solid_block.h"
 
@@ -97,6 +98,21 @@ TEST(LinearPolynomial, HasTheSlopesOfItsPressure)
     // C2 and C6 are for compression alone.
     EXPECT_DOUBLE_EQ(eos.evaluate(0.9).cold, 1 - 220 - 14.6);
     EXPECT_DOUBLE_EQ(eos.evaluate(0.9).warm, 0.28 - 0.03);
+}
+
+TEST(Murnaghan, IsTaitsWaterAndHasItsSlopes)
+{
+    const auto eos_of = [](double gamma) {
+        return Murnaghan::from_record(
+            record_of("EOS_MURNAGHAN", 1, {{"GAMMA", gamma}, {"K0", 2200}, {"V0", 0}}), 1);
+    };
+    for (double gamma : {7.0, 6.5}) {
+        check_slopes(eos_of(gamma));
+        EXPECT_NEAR(eos_of(gamma).evaluate(1.05).cold, 2200 * (std::pow(1.05, gamma) - 1), 1e-9);
+        EXPECT_DOUBLE_EQ(eos_of(gamma).bulk_modulus, 2200 * gamma);
+        EXPECT_EQ(eos_of(gamma).relative_volume, 1);
+    }
+    EXPECT_THROW(eos_of(0), DeckError);
 }
 
 TEST(PressureStep, FollowsTheAdiabatOfAnIdealGasToSecondOrder)

@@ -31,4 +31,24 @@ TEST(HistoryReader, GivesNothingForAnotherFile)
     EXPECT_TRUE(read_glstat_history("just\nsome text..\n").time.empty());
 }
 
+TEST(HistoryReader, FindsForcesOfWallsAndContacts)
+{
+    const History walls =
+        read_rwforc_history("    time       wall#   normal-force    x-force        y-force\n"
+                            " 0.00000E+00       1   0.000000E+00   0.000000E+00   0.000000E+00\n"
+                            " 0.00000E+00       3   2.500000E+00   0.000000E+00   0.000000E+00\n"
+                            " 1.00000E-01       1   4.000000E+00   0.000000E+00   0.000000E+00\n"
+                            " 1.00000E-01       3   5.000000E+00   0.000000E+00");
+    ASSERT_EQ(walls.time, (std::vector<double>{0, 0.1}));
+    ASSERT_NE(walls.find("wall 1"), nullptr);
+    EXPECT_EQ(walls.find("wall 1")->values, (std::vector<double>{0, 4}));
+    EXPECT_EQ(walls.find("wall 3")->values, (std::vector<double>{2.5, 0})); // its last line broke off
+
+    const History contacts = read_rcforc_history(
+        "  slave           7 time 1.00000E+00  x  3.00000E+00  y  0.00000E+00  z -4.00000E+00 mass  1\n"
+        "  master          7 time 1.00000E+00  x -3.00000E+00  y  0.00000E+00  z  4.00000E+00 mass  1\n");
+    ASSERT_NE(contacts.find("contact 7"), nullptr);
+    EXPECT_EQ(contacts.find("contact 7")->values, std::vector<double>{5});
+}
+
 } // namespace plash

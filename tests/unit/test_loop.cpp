@@ -1,4 +1,4 @@
-#include "contact/planar_wall.h"
+#include "contact/rigid_wall.h"
 #include "solver/explicit_loop.h"
 
 #include <gtest/gtest.h>
@@ -56,14 +56,14 @@ TEST(ExplicitLoop, FollowsTheParabolaOfConstantForceExactly)
 TEST(ExplicitLoop, WallStopsAMassAndBooksItsEnergy)
 {
     Model model = one_node_model();
-    PlanarWall wall;
+    RigidWall wall;
     wall.normal = {0, 0, 1};
-    model.planar_walls.push_back(wall);
+    model.rigid_walls.push_back(wall);
     model.initial_velocities.push_back({{0}, {3, 0, -4}, 0, {}, {0, 0, 1}, {}, false, {}});
     Scene scene = make_scene(model);
     scene.terms.clear();
     scene.terms.push_back(std::make_unique<PointMass>(scene.state, 0, 2.0, 0.01));
-    scene.terms.push_back(std::make_unique<PlanarWallTerm>(model.planar_walls[0], model, scene.state));
+    scene.terms.push_back(std::make_unique<RigidWallTerm>(model.rigid_walls[0], model, scene.state));
     Recorders none_recorded;
     run(scene, none_recorded);
     EXPECT_NEAR(scene.state.position[0].z, 0, 1e-14);

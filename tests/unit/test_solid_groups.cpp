@@ -268,9 +268,10 @@ TEST(SolidGroups, RefuseWhatIsNotThereByName)
     }
     {
         SolidBlock block({1, 1, 1}, {1, 1, 1}, steel());
-        block.model.sections[0] = record_of("SECTION_SOLID", 4, {{"ELFORM", 2}});
-        EXPECT_NE(refusal(block.model).find("*SECTION_SOLID 4, field ELFORM: formulation 2 is not supported"),
-                  std::string::npos);
+        block.model.sections[0] = record_of("SECTION_SOLID", 4, {{"ELFORM", 18}});
+        EXPECT_NE(
+            refusal(block.model).find("*SECTION_SOLID 4, field ELFORM: formulation 18 is not supported"),
+            std::string::npos);
     }
     {
         SolidBlock block({1, 1, 1}, {1, 1, 1}, steel());

@@ -100,10 +100,43 @@ TEST(SphDeck, MapsFormsAndBoundaries)
     EXPECT_EQ(norm(periods[0].period - Vec3{40, 0, 0}), 0);
 }
 
+TEST(SphDeck, TakesPlashsOwnFormulation)
+{
+    const auto options = [](const std::string& extra) {
+        return particle_options_of(read(plate_deck("7", extra)));
+    };
+    const ParticleOptions plain = options("");
+    EXPECT_EQ(plain.density_diffusion, 0);
+    EXPECT_FALSE(plain.own_kernel);
+    const ParticleOptions own = options("*PLASH_SPH_FORMULATION\n4,0.1,0.5,1,0.2,30,0.15\n");
+    EXPECT_TRUE(own.own_kernel && own.kernel == Kernel::wendland_c2);
+    EXPECT_EQ(own.density_diffusion, 0.1);
+    EXPECT_EQ(own.velocity_blend, 0.5);
+    EXPECT_EQ(own.shifting, 1);
+    EXPECT_EQ(own.tensile_repulsion, 0.2);
+    EXPECT_EQ(own.filter_interval, 30);
+    EXPECT_EQ(own.skin, 0.15);
+    EXPECT_EQ(complaint(plate_deck("7", "*PLASH_SPH_FORMULATION\n3\n")),
+              "*PLASH_SPH_FORMULATION, field KERNEL: there is no kernel 3; there are 0 (that of the "
+              "sections), 4 (Wendland C2) and 5 (Wendland C4)");
+    EXPECT_EQ(complaint(plate_deck("7", "*PLASH_SPH_FORMULATION\n0,-1\n")),
+              "*PLASH_SPH_FORMULATION, field DELTA: -1 is not between 0 and 1");
+}
+
+TEST(SphDeck, KnowsWhenParticlesLeave)
+{
+    const ParticleOptions options = particle_options_of(
+        read(plate_deck("7", "*DEFINE_BOX\n5,-1,31,-1,21,-1,1\n*CONTROL_SPH\n1,5,,,,,,2e6\n")));
+    ASSERT_TRUE(options.box.has_value());
+    EXPECT_EQ(options.box->high.x, 31);
+    EXPECT_EQ(options.largest_speed, 2e6);
+    EXPECT_EQ(particle_options_of(read(plate_deck("7", ""))).largest_speed, forever);
+}
+
 TEST(SphDeck, SaysWhatIsWrong)
 {
     EXPECT_EQ(complaint(plate_deck("7", "*CONTROL_SPH\n1,,,2,,7\n")),
-              "*CONTROL_SPH, field FORM: form 7 is not supported; there are 0 to 6 and 12");
+              "*CONTROL_SPH, field FORM: form 7 is not supported; there are 0 to 6, 12, 15 and 16");
     EXPECT_EQ(complaint(plate_deck("7", "*CONTROL_SPH\n1,,,-2\n")),
               "*CONTROL_SPH, field IDIM: -2 is not supported; there are 2 (plane strain) and 3");
     EXPECT_EQ(complaint(plate_deck("7,1.2,3,2", "")),

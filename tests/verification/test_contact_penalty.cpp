@@ -1,4 +1,4 @@
-#include "conditions/loads.h"
+#include "conditions/body_loads.h"
 #include "contact/surface_contact.h"
 #include "solver/explicit_loop.h"
 #include "tests/support/contact_model.h"
@@ -146,6 +146,35 @@ TEST(ContactPenalty, BlockOnASlopeBelowTheFrictionAngleDoesNotCreep)
         << "creep in 10,000 cycles";
     // Coulomb sliding on this slope without friction would be 0.2 t^2 / 2 = 157.
     EXPECT_LT(place.back() - place.front(), 0.05);
+}
+
+/// *CONTACT_CONSTRAINT_NODES_TO_SURFACE: a block falls on a held plate and stays on it, no node deeper than
+/// one step's path; the energy of the impact is booked as sliding energy.
+TEST(ContactPenalty, ConstraintContactStopsNodesOnTheSurface)
+{
+    CubeOverPlate set(0.12);
+    set.contact().kind = Contact::Kind::one_way;
+    set.contact().constraint = true;
+    set.mesh.model.controls.time.end_time = 0.6;
+    Scene scene = set.scene(0.005, 200);
+    for (Index node : set.cube_nodes) scene.state.velocity[node] = {0.2, 0, -1};
+    const SurfaceContact& contact = CubeOverPlate::contact_of(scene);
+    double deepest = 0, lost = 0;
+    std::size_t most = 0;
+    scene.terms.push_back(std::make_unique<Watch>([&](const Clock& clock, const State&) {
+        most = std::max(most, contact.touches().size());
+        if (clock.cycle < 3) return;
+        contact.touches().for_each(
+            [&](const Touch& touch) { deepest = std::max(deepest, touch.penetration); });
+        lost = contact.sliding_energy();
+    }));
+    Recorders nothing;
+    run(scene, nothing);
+    EXPECT_EQ(most, 16u);
+    EXPECT_LT(deepest, 1.5 * 0.005 * 1.0) << "at most the approach of a step";
+    // 16 nodes of mass 8 / 27 x (1 to 4) / 8 in a row stop plastically: 8 / 6 of the mass at 1 / 2.
+    EXPECT_NEAR(lost, 0.5 * 8.0 / 6, 0.35 * 0.5 * 8.0 / 6);
+    EXPECT_LT(scene.ledger.balance_error(), 5e-3);
 }
 
 /// Contact forces are internal: they neither push nor turn the pair of bodies.

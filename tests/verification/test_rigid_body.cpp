@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <omp.h>
 
 namespace plash {
 
@@ -35,8 +37,8 @@ TEST(RigidBodies, FreeTumblingKeepsEnergyAndAngularMomentum)
     for (std::size_t i = 0; i < 8; ++i) state.velocity[i] = cross(spin, state.position[i] - center);
     Model model;
     model.parts.resize(1);
-    RigidBody body = rigid_body_of(0, brick_nodes, state.mass, {}, state, 0);
-    RigidBodies bodies(model, {body}, state);
+    RigidBody body = rigid_body_of(0, brick_nodes, state.mass, {}, state, {});
+    RigidBodies bodies(model, {{body}, {0}, {}, {}}, state);
     Clock clock;
     clock.step = 2e-3;
     const double energy = 0.5 * dot(body.angular_velocity, body.angular_momentum);
@@ -60,13 +62,56 @@ TEST(RigidBodies, FreeTumblingKeepsEnergyAndAngularMomentum)
     EXPECT_NEAR(norm(state.position[7] - state.position[0]), std::sqrt(14.0), 1e-9);
 }
 
+/// Sums over the nodes go by chunks of fixed length: the same bits for any number of threads.
+TEST(RigidBodies, ManyNodesGiveTheSameBitsForAnyNumberOfThreads)
+{
+    const auto center_after = [](int threads) {
+        omp_set_num_threads(threads);
+        State state;
+        std::vector<Index> nodes;
+        for (int i = 0; i < 9000; ++i) {
+            state.position.push_back({std::sin(1.7 * i), std::cos(0.9 * i), 1e-3 * (i % 77)});
+            nodes.push_back(i);
+        }
+        state.velocity.resize(nodes.size());
+        state.force.resize(nodes.size());
+        state.mass.assign(nodes.size(), 0.1);
+        Model model;
+        model.parts.resize(1);
+        RigidBodies bodies(model, {{rigid_body_of(0, nodes, state.mass, {}, state, {})}, {0}, {}, {}}, state);
+        Clock clock;
+        clock.step = 1e-3;
+        for (int cycle = 0; cycle < 50; ++cycle) {
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+                state.force[i] = {std::sin(0.3 * cycle + i), 1 / (1.0 + i), std::cos(2.0 * i)};
+            bodies.constrain(clock, state);
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+                state.position[i] += clock.step * state.velocity[i];
+            clock.last_step = clock.step;
+        }
+        const RigidBody& body = bodies.bodies()[0];
+        return std::array{body.center.x,           body.center.y,
+                          body.center.z,           body.orientation.row[0].y,
+                          body.angular_velocity.z, state.velocity[8999].x};
+    };
+    const int usual = omp_get_max_threads();
+    const auto one = center_after(1);
+    EXPECT_EQ(one, center_after(2));
+    EXPECT_EQ(one, center_after(3));
+    omp_set_num_threads(usual);
+    EXPECT_NE(one[3], 0);
+}
+
 TEST(RigidBodies, TorqueAboutAFixedAxisGivesTheKnownSpin)
 {
     State state = brick_state();
     Model model;
     model.parts.resize(1);
     const FreedomMask only_z_rotation = 7 | 8 | 16;
-    RigidBodies bodies(model, {rigid_body_of(0, brick_nodes, state.mass, {}, state, only_z_rotation)}, state);
+    BodyFixity fixity;
+    fixity.freedoms = only_z_rotation;
+    RigidBody body = rigid_body_of(0, brick_nodes, state.mass, {}, state, fixity);
+    RigidBodies bodies(model, {{body}, {0}, {}, {}}, state);
     Clock clock;
     clock.step = 1e-3;
     for (int cycle = 0; cycle < 1000; ++cycle) {

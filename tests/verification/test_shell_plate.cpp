@@ -71,8 +71,9 @@ TEST(ShellPlate, SimplySupportedFrequencyConverges)
 
 TEST(ShellPlate, FullyIntegratedElementsHaveTheFrequencyOfTheirLattice)
 {
-    // The discrete mode is w = sin sin with slopes C = (2/h) tan(a), a = k h / 2, by the shear sampled at the sides;
-    // curvatures are those of bilinear slopes, s = (2/h) sin(a), integrated exactly; rotary inertia A / 8 at the nodes.
+    // The discrete mode is w = sin sin with slopes C = (2/h) tan(a), a = k h / 2, by the shear sampled at the
+    // sides; curvatures are those of bilinear slopes, s = (2/h) sin(a), integrated exactly; rotary inertia A
+    // / 8 at the nodes.
     const auto of_lattice = [](int n) {
         const double k = std::numbers::pi / side, h = side / n, a = 0.5 * k * h;
         const double s = 2 / h * std::sin(a), C = 2 / h * std::tan(a), c = std::cos(a);

@@ -155,9 +155,9 @@ BarImpact bar_impact(const nlohmann::json& reference, int cells)
     SolidBlock block({1, 1, cells}, {length / 50, length / 50, length},
                      record_of("MAT_ELASTIC", 1, {{"RO", density}, {"E", reference["E"]}, {"PR", 0}}));
     block.set_velocity([&](const Vec3&) { return Vec3{0, 0, -speed}; });
-    PlanarWall wall;
+    RigidWall wall;
     wall.normal = {0, 0, 1};
-    block.model.planar_walls.push_back(wall);
+    block.model.rigid_walls.push_back(wall);
     block.model.controls.time.end_time = 3 * length / double(reference["c"]);
     Scene scene = make_scene(block.model);
 

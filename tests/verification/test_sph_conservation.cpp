@@ -117,4 +117,50 @@ TEST(SphConservation, AFlyingBodyNeedsNoNewNeighbours)
     for (const Vec3& velocity : scene.state.velocity) EXPECT_LT(norm(velocity - Vec3{30, -20, 10}), 1e-12);
 }
 
+namespace {
+
+/// Compares the lists with all pairs every few cycles.
+class PairCheck : public Term {
+public:
+    explicit PairCheck(const ParticleBody& body) : body_(body) {}
+    std::string_view name() const override { return "pair check"; }
+    void add_forces(const Clock& clock, State&) override
+    {
+        if (clock.cycle % 5 != 0) return;
+        const auto& motion = body_.arrays().motion;
+        const std::vector<int> listed = body_.count_neighbours();
+        for (std::size_t i = 0; i < motion.size(); ++i) {
+            int close = 0;
+            for (std::size_t j = 0; j < motion.size(); ++j) {
+                const Vec3 apart = motion[i].position - motion[j].position;
+                const double reach =
+                    motion[i].smoothing + motion[j].smoothing; // support 2 of the cubic spline
+                close += i != j && dot(apart, apart) < reach * reach;
+            }
+            missed += std::abs(close - listed[i]);
+            all += close;
+        }
+    }
+    long missed = 0, all = 0;
+
+private:
+    const ParticleBody& body_;
+};
+
+} // namespace
+
+TEST(SphConservation, ListsMissNoPairWhileTheBlocksCollideAndBlowUp)
+{
+    ParticleWorld world;
+    make_collision(world, 0.5);
+    Scene scene = world.make_scene_of_particles();
+    auto check = std::make_unique<PairCheck>(*world.body);
+    const PairCheck& pairs = *check;
+    scene.terms.push_back(std::move(check));
+    Recorders nobody;
+    run(scene, nobody);
+    EXPECT_EQ(pairs.missed, 0);
+    EXPECT_GT(pairs.all, 100000);
+}
+
 } // namespace plash

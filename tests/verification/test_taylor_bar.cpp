@@ -87,9 +87,9 @@ Shape taylor_copper(int hourglass_type, double coefficient)
                   {{"RO", 8.93e-9}, {"E", 117e3}, {"PR", 0.35}, {"SIGY", 400}, {"ETAN", 100}, {"BETA", 1}}));
     bar.set_hourglass(hourglass_type, coefficient);
     bar.set_velocity([](const Vec3&) { return Vec3{0, 0, -227e3}; });
-    PlanarWall wall;
+    RigidWall wall;
     wall.normal = {0, 0, 1};
-    bar.model.planar_walls.push_back(wall);
+    bar.model.rigid_walls.push_back(wall);
     bar.model.controls.time.end_time = 80e-6;
     const int threads = omp_get_max_threads();
     omp_set_num_threads(1); // a thousand elements: waiting would cost more than it gains

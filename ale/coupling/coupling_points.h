@@ -1,0 +1,50 @@
+#pragma once
+
+#include "contact/surface.h"
+#include "core/state.h"
+
+#include <array>
+#include <vector>
+
+namespace plash {
+
+/// Points of a structure's surface at which it meets the fluid. Each carries its share of its segment's area.
+class CouplingPoints {
+public:
+    /// A point within its segment: bilinear weights of the corners, and the share of the area.
+    struct Place {
+        std::size_t segment;
+        std::array<double, 4> weight;
+        std::array<double, 4> along_s, along_t; ///< derivatives of the weights
+        double share;                           ///< quadrature weight, in the segment's own coordinates
+    };
+
+    /// Position, velocity and area vector at t_n.
+    struct Motion {
+        Vec3 position, velocity;
+        Vec3 area; ///< along the segment's normal [length^2]
+    };
+
+    /// per_edge   least number of points along an edge of a segment
+    /// spacing    largest distance of the points [length]
+    CouplingPoints(Surface surface, int per_edge, double spacing, const std::vector<Vec3>& position);
+
+    std::size_t size() const { return places_.size(); }
+    const Place& place(std::size_t point) const { return places_[point]; }
+    const std::array<Index, 4>& nodes(std::size_t point) const
+    {
+        return surface_.segments[places_[point].segment].nodes;
+    }
+    bool exposed(std::size_t point, const State& state) const
+    {
+        return is_exposed(surface_.segments[places_[point].segment], state);
+    }
+    Motion motion(std::size_t point, const State& state) const;
+    const Surface& surface() const { return surface_; }
+
+private:
+    Surface surface_;
+    std::vector<Place> places_;
+};
+
+} // namespace plash

@@ -1,0 +1,343 @@
+#include "ale/coupling/fluid_coupling.h"
+
+#include "ale/plane_in_cell.h"
+#include "core/parallel.h"
+#include "core/prescribed_rate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace plash {
+
+namespace {
+
+using Direction = CouplingOptions::Direction;
+
+/// Density times square of the sound speed at the reference density [pressure].
+double reference_stiffness(const DeckGroup& group)
+{
+    return fluid_state(group.law, group.density, group.energy_per_mass).stiffness;
+}
+
+double smallest_cell(const BoxGrid& grid)
+{
+    return std::min({grid.smallest_width(0), grid.smallest_width(1), grid.smallest_width(2)});
+}
+
+} // namespace
+
+FluidCoupling::FluidCoupling(const Model& model, CouplingOptions options, Surface surface,
+                             EulerianFluid& fluid, const std::vector<Vec3>& position)
+    : model_(model),
+      options_(std::move(options)),
+      // Two points a cell: the cells between them may not find a way through.
+      points_(std::move(surface), options_.points_per_edge, 0.5 * smallest_cell(fluid.fluid().grid),
+              position),
+      fluid_(fluid),
+      touches_(points_.size()),
+      penetration_(points_.size()),
+      slip_(points_.size()),
+      force_(points_.size()),
+      cell_(points_.size()),
+      load_(fluid.fluid().grid.storage()),
+      structure_load_(position.size()),
+      entry_(fluid.fluid().grid.storage(), none)
+{
+    for (const DeckGroup& group : fluid.groups().groups)
+        if (group.fluid != none) bulk_modulus_.push_back(reference_stiffness(group));
+}
+
+/// Share of the coupled fluids half a cell before the surface: a surface that stands anywhere in its cell,
+/// with fluid up to it, sees the same.
+double FluidCoupling::fraction_before(const Vec3& position, const Touch& touch) const
+{
+    const BoxFluid& fluid = fluid_.fluid();
+    const BoxGrid& grid = fluid.grid;
+    const GridPoint own = locate(grid, position, {});
+    const double reach = 0.5 * (std::abs(touch.normal.x) * grid.width(0, own.cell[0]) +
+                                std::abs(touch.normal.y) * grid.width(1, own.cell[1]) +
+                                std::abs(touch.normal.z) * grid.width(2, own.cell[2]));
+    const GridPoint before = locate(grid, position + reach * touch.normal, own.cell);
+    if (!before.inside) return 0;
+    const NodeWeights around = cell_weights(grid, before);
+    double sum = 0;
+    for (std::size_t g = 0; g < fluid.groups.size(); ++g) {
+        if (!(options_.fluids >> g & 1)) continue;
+        const AlignedDoubles& fraction = fluid.fields.groups[g].fraction;
+        for (int corner = 0; corner < 8; ++corner)
+            sum += around.weight[corner] * (fraction.empty() ? 1.0 : fraction[around.place[corner]]);
+    }
+    return sum;
+}
+
+/// How much more of a partly empty cell is full than lies on the fluid's side of the surface through a point.
+double FluidCoupling::share_behind(const GridPoint& at, const Vec3& normal) const
+{
+    const BoxFluid& fluid = fluid_.fluid();
+    const std::ptrdiff_t cell = fluid.grid.at(at.cell[0], at.cell[1], at.cell[2]);
+    double filled = 0;
+    for (const GroupFields& group : fluid.fields.groups)
+        filled += group.fraction.empty() ? 1 : group.fraction[cell];
+    if (filled >= 1) return 0;
+    const double along[3] = {normal.x, normal.y, normal.z};
+    double slope[3], sum = 0, distance = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        sum += slope[axis] = std::abs(along[axis]) * fluid.grid.width(axis, at.cell[axis]);
+    for (int axis = 0; axis < 3; ++axis) {
+        slope[axis] /= sum;
+        distance += slope[axis] * (along[axis] > 0 ? at.part[axis] : 1 - at.part[axis]);
+    }
+    const double behind = volume_below_plane(Vec3{slope[0], slope[1], slope[2]}, distance);
+    return std::max(filled - (1 - behind), 0.0);
+}
+
+void FluidCoupling::look(std::size_t point, const Clock& clock, const State& state)
+{
+    Touch& touch = touches_[point];
+    touch.active = false;
+    if (clock.time < options_.start || clock.time > options_.end || !points_.exposed(point, state)) return;
+    const CouplingPoints::Motion motion = points_.motion(point, state);
+    touch.area = norm(motion.area);
+    if (!(touch.area > 0)) return;
+    touch.normal = ((options_.turned ? -1 : 1) / touch.area) * motion.area;
+    const BoxFluid& fluid = fluid_.fluid();
+    const GridPoint at = locate(fluid.grid, motion.position, cell_[point]);
+    if (!at.inside) return;
+    cell_[point] = at.cell;
+    if (fraction_before(motion.position, touch) < options_.least_fraction) return;
+
+    touch.at = node_weights(fluid.grid, at);
+    double filled = 0, density = 0;
+    Vec3 velocity{};
+    for (int corner = 0; corner < 8; ++corner) {
+        double& weight = touch.at.weight[corner];
+        const std::ptrdiff_t place = touch.at.place[corner];
+        if (!(fluid.fields.node_mass[place] > 0)) weight = 0;
+        filled += weight;
+    }
+    if (filled < 1e-6) return;
+    for (int corner = 0; corner < 8; ++corner) {
+        double& weight = touch.at.weight[corner];
+        const std::ptrdiff_t place = touch.at.place[corner];
+        weight /= filled;
+        const auto& v = fluid.fields.velocity;
+        velocity += weight * Vec3{v[0][place], v[1][place], v[2][place]};
+    }
+    double stiffness = 0;
+    for (std::size_t g = 0; g < fluid.groups.size(); ++g) {
+        if (!(options_.fluids >> g & 1) || bulk_modulus_[g] < stiffness) continue;
+        const AlignedDoubles& fraction = fluid.fields.groups[g].fraction;
+        const std::ptrdiff_t cell = fluid.grid.at(at.cell[0], at.cell[1], at.cell[2]);
+        const bool only = fluid.groups.size() == 1 || fraction.empty() || fraction[cell] > 0;
+        if (!only) continue;
+        stiffness = bulk_modulus_[g];
+        density = fluid.groups[g].reference_density;
+    }
+    const double length = std::abs(touch.normal.x) * fluid.grid.width(0, at.cell[0]) +
+                          std::abs(touch.normal.y) * fluid.grid.width(1, at.cell[1]) +
+                          std::abs(touch.normal.z) * fluid.grid.width(2, at.cell[2]);
+    const double penalty = options_.stiffest ? 1 : options_.penalty;
+    const double damping = options_.stiffest ? 1 : options_.damping;
+    touch.stiffness = penalty * stiffness * touch.area / length;
+    touch.damper = 2 * damping * std::sqrt(touch.stiffness * 0.5 * density * touch.area * length);
+    touch.approach = motion.velocity - velocity;
+    touch.excess = options_.leak_control > 0 ? length * share_behind(at, touch.normal) : 0;
+    touch.active = true;
+}
+
+/// A spring k and a damper c between masses are stable in central difference while k dt^2 + 2 c dt stays
+/// below four times the mass; half of that is used. Sums over all points of a node bound the largest
+/// eigenvalue (Gershgorin).
+double FluidCoupling::needed_mass(const Touch& touch) const
+{
+    const double step = step_bound();
+    return 0.5 * (touch.stiffness * step * step + 2 * touch.damper * step);
+}
+
+void FluidCoupling::limit_stiffness(const State& state)
+{
+    const AlignedDoubles& mass = fluid_.fluid().fields.node_mass;
+    const auto for_nodes = [&](std::size_t point, auto&& of_fluid, auto&& of_structure) {
+        const Touch& touch = touches_[point];
+        for (int corner = 0; corner < 8; ++corner)
+            if (touch.at.weight[corner] > 0) of_fluid(touch.at.place[corner], touch.at.weight[corner]);
+        for (int corner = 0; corner < 4; ++corner) {
+            const Index node = points_.nodes(point)[corner];
+            if (state.mass[node] > 0) of_structure(node, points_.place(point).weight[corner]);
+        }
+    };
+    for (std::size_t point = 0; point < touches_.size(); ++point) {
+        if (!touches_[point].active) continue;
+        const double needed = needed_mass(touches_[point]);
+        for_nodes(
+            point, [&](std::ptrdiff_t place, double weight) { load_[place] += weight * needed; },
+            [&](Index node, double weight) { structure_load_[node] += weight * needed; });
+    }
+    for_chunks(touches_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t point = begin; point < end; ++point) {
+            if (!touches_[point].active) continue;
+            double share = 1;
+            for_nodes(
+                point,
+                [&](std::ptrdiff_t place, double) { share = std::min(share, mass[place] / load_[place]); },
+                [&](Index node, double) {
+                    share = std::min(share, state.mass[node] / structure_load_[node]);
+                });
+            touches_[point].stiffness *= share;
+            touches_[point].damper *= share;
+        }
+    });
+    for (std::size_t point = 0; point < touches_.size(); ++point) {
+        if (!touches_[point].active) continue;
+        for_nodes(
+            point, [&](std::ptrdiff_t place, double) { load_[place] = 0; },
+            [&](Index node, double) { structure_load_[node] = 0; });
+    }
+}
+
+void FluidCoupling::press(std::size_t point, const Clock& clock)
+{
+    const Touch& touch = touches_[point];
+    if (!touch.active) {
+        penetration_[point] = 0;
+        slip_[point] = force_[point] = {};
+        return;
+    }
+    const double normal_speed = dot(touch.approach, touch.normal);
+    double& depth = penetration_[point];
+    depth += normal_speed * clock.last_step;
+    depth += options_.leak_control * touch.excess;
+    if (options_.direction == Direction::compression) depth = std::max(depth, 0.0);
+    double pressing = touch.stiffness * depth + touch.damper * normal_speed;
+    if (options_.pressure_curve != none)
+        pressing = touch.area * curve_value(model_, options_.pressure_curve, depth);
+    if (options_.direction == Direction::compression) pressing = std::max(pressing, 0.0);
+    force_[point] = -pressing * touch.normal;
+
+    const bool held = options_.direction == Direction::all;
+    if (!held && options_.friction == 0) return;
+    const Vec3 across = touch.approach - normal_speed * touch.normal;
+    Vec3& slip = slip_[point];
+    slip += clock.last_step * across;
+    slip -= dot(slip, touch.normal) * touch.normal;
+    Vec3 drag = touch.stiffness * slip + touch.damper * across;
+    const double most = held ? std::numeric_limits<double>::infinity() : options_.friction * pressing;
+    if (const double size = norm(drag); size > most) {
+        drag = (most / size) * drag;
+        if (touch.stiffness > 0) slip = (1 / touch.stiffness) * drag;
+    }
+    force_[point] -= drag;
+}
+
+void FluidCoupling::push_fluid(const Touch& touch, const Vec3& force)
+{
+    auto& outside = fluid_.fluid().outside_forces;
+    for (int corner = 0; corner < 8; ++corner) {
+        const double weight = touch.at.weight[corner];
+        if (weight == 0) continue;
+        Index& entry = entry_[touch.at.place[corner]];
+        if (entry == none) {
+            entry = static_cast<Index>(outside.size());
+            outside.push_back({touch.at.place[corner], {}});
+        }
+        auto& sum = outside[entry].force;
+        sum[0] -= weight * force.x;
+        sum[1] -= weight * force.y;
+        sum[2] -= weight * force.z;
+    }
+}
+
+/// In the order of the points, so that sums are the same for any number of threads.
+void FluidCoupling::hand_out(const Clock&, State& state)
+{
+    for (std::size_t point = 0; point < points_.size(); ++point) {
+        const Vec3& force = force_[point];
+        if (force.x == 0 && force.y == 0 && force.z == 0) continue;
+        for (int corner = 0; corner < 4; ++corner)
+            state.force[points_.nodes(point)[corner]] += points_.place(point).weight[corner] * force;
+        push_fluid(touches_[point], force);
+    }
+    for (const NodeForceFromOutside& outside : fluid_.fluid().outside_forces) entry_[outside.place] = none;
+}
+
+void FluidCoupling::add_forces(const Clock& clock, State& state)
+{
+    const std::vector<Vec3>& velocity = state.velocity;
+    // Trapezoidal rule over the last step: the forces of both ends on the way between.
+    const auto work_of = [&](std::size_t begin, std::size_t end) {
+        double work = 0;
+        for (std::size_t point = begin; point < end; ++point) {
+            const Vec3& force = force_[point];
+            for (int corner = 0; corner < 4; ++corner)
+                work +=
+                    points_.place(point).weight[corner] * dot(force, velocity[points_.nodes(point)[corner]]);
+        }
+        return work;
+    };
+    const double before = sum_chunks(points_.size(), work_of);
+    for_chunks(points_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t point = begin; point < end; ++point) look(point, clock, state);
+    });
+    limit_stiffness(state);
+    for_chunks(points_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t point = begin; point < end; ++point) press(point, clock);
+    });
+    work_on_structure_ += 0.5 * clock.last_step * (before + sum_chunks(points_.size(), work_of));
+    hand_out(clock, state);
+}
+
+void FluidCoupling::report(EnergyLedger& ledger) const
+{
+    ledger.sliding -= work_on_structure_;
+}
+
+void FluidCoupling::collect(const State&, ElementResults& results) const
+{
+    if (results.coupling_force.empty()) return;
+    for (std::size_t point = 0; point < points_.size(); ++point)
+        for (int corner = 0; corner < 4; ++corner)
+            results.coupling_force[points_.nodes(point)[corner]] +=
+                points_.place(point).weight[corner] * force_[point];
+}
+
+Vec3 FluidCoupling::force() const
+{
+    Vec3 sum{};
+    for (const Vec3& force : force_) sum += force;
+    return sum;
+}
+
+std::vector<std::unique_ptr<FluidCoupling>>
+make_fluid_couplings(const Model& model, const std::vector<EulerianFluid*>& fluids, const State& state)
+{
+    std::vector<std::unique_ptr<FluidCoupling>> couplings;
+    if (fluids.empty()) return couplings;
+    const std::vector<CouplingOptions> all = coupling_options_of(model, fluids.front()->groups());
+    if (all.empty()) return couplings;
+    const std::vector<PartData> parts = part_data(model);
+    SurfaceOptions surface_options;
+    surface_options.orient_by_deck = true;
+    for (const CouplingOptions& options : all) {
+        bool found = false;
+        for (EulerianFluid* fluid : fluids) {
+            const auto& solids = fluid->block().solids;
+            const auto takes_part = [&](Index solid) { return options.mesh_parts[model.solids.part[solid]]; };
+            if (!std::any_of(solids.begin(), solids.end(), takes_part)) continue;
+            found = true;
+            Surface surface = make_surface(model, parts, options.structure, surface_options);
+            if (surface.segments.empty())
+                throw DeckError(options.where, fmt::format("coupling {}: its structure has no shells and no "
+                                                           "outer faces of solids",
+                                                           options.id));
+            couplings.push_back(
+                std::make_unique<FluidCoupling>(model, options, std::move(surface), *fluid, state.position));
+        }
+        if (!found)
+            throw DeckError(options.where,
+                            fmt::format("coupling {}: no Eulerian mesh belongs to its ALESID", options.id));
+    }
+    return couplings;
+}
+
+} // namespace plash

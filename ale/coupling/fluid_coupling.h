@@ -1,0 +1,80 @@
+#pragma once
+
+#include "ale/coupling/coupling_options.h"
+#include "ale/coupling/coupling_points.h"
+#include "ale/coupling/grid_point.h"
+#include "core/term.h"
+
+#include <memory>
+
+namespace plash {
+
+/// Penalty coupling of a surface with the fluid of an Eulerian mesh: where fluid stands before a point of the
+/// surface, the motion that carries it through the surface is summed up as a penetration, and a spring (and a
+/// damper) presses both apart. Fluid nodes take the force by the trilinear weights of the point, so that
+/// force and moment on both sides are equal and opposite. See docs/eulerian.md. Sources: Olovsson & Souli
+/// (2000), 'Eulerian-Lagrangian coupling using fluid-structure interaction algorithm', for the penalty form;
+/// Aquelet, Souli & Olovsson (2006), Comput. Methods Appl. Mech. Engrg. 195, 110-132, for stiffness and
+/// damping.
+class FluidCoupling : public Term {
+public:
+    FluidCoupling(const Model& model, CouplingOptions options, Surface surface, EulerianFluid& fluid,
+                  const std::vector<Vec3>& position);
+
+    bool restartable() const override { return false; }
+    std::string_view name() const override { return "fluid coupling"; }
+    std::size_t items() const override { return points_.size(); }
+    void add_forces(const Clock& clock, State& state) override;
+    void report(EnergyLedger& ledger) const override;
+    void collect(const State& state, ElementResults& results) const override;
+
+    /// Force on the structure at t_n [force].
+    Vec3 force() const;
+
+private:
+    /// What is known of a point in this cycle.
+    struct Touch {
+        NodeWeights at;       ///< nodes of the fluid; weights without empty nodes
+        Vec3 normal;          ///< unit, into the fluid
+        double area = 0;      ///< [length^2]
+        double stiffness = 0; ///< spring of the point [force/length]
+        double damper = 0;    ///< [force time/length]
+        Vec3 approach;        ///< velocity of the surface against the fluid [velocity]
+        double excess = 0;    ///< how far fluid stands behind the surface [length]; only with leak control
+        bool active = false;
+    };
+
+    const Model& model_;
+    CouplingOptions options_;
+    CouplingPoints points_;
+    EulerianFluid& fluid_;
+    std::vector<double> bulk_modulus_; ///< of each fluid at reference density [pressure]
+
+    std::vector<Touch> touches_;
+    std::vector<double> penetration_;      ///< of each point along its normal [length]
+    std::vector<Vec3> slip_;               ///< and across it, where that is held [length]
+    std::vector<Vec3> force_;              ///< on the structure at each point at t_n [force]
+    std::vector<std::array<int, 3>> cell_; ///< where each point was last
+
+    /// Mass that the springs and dampers on each node need to be stable, by storage place of the fluid's
+    /// nodes and by node of the State [mass].
+    std::vector<double> load_, structure_load_;
+    std::vector<Index> entry_; ///< of each node of the fluid among its outside forces, by storage place
+    double work_on_structure_ = 0;
+
+    void look(std::size_t point, const Clock& clock, const State& state);
+    double fraction_before(const Vec3& position, const Touch& touch) const;
+    double share_behind(const GridPoint& at, const Vec3& normal) const;
+    void limit_stiffness(const State& state);
+    double needed_mass(const Touch& touch) const;
+    void press(std::size_t point, const Clock& clock);
+    void push_fluid(const Touch& touch, const Vec3& force);
+    void hand_out(const Clock& clock, State& state);
+    double step_bound() const { return fluid_.fluid().stable_step(); }
+};
+
+/// The couplings of a Model with these fluids.
+std::vector<std::unique_ptr<FluidCoupling>>
+make_fluid_couplings(const Model& model, const std::vector<EulerianFluid*>& fluids, const State& state);
+
+} // namespace plash

@@ -1,0 +1,69 @@
+#include "ale/fluid_settings.h"
+
+#include "materials/parameters.h"
+
+#include <fmt/format.h>
+
+namespace plash {
+
+namespace {
+
+void set_advection(const Record& record, FluidSettings& settings)
+{
+    const Id method = record.integer("METH");
+    switch (method) {
+    case 1:
+        settings.order = AdvectionOrder::donor_cell;
+        break;
+    case 2:
+    case -2:
+        settings.order = AdvectionOrder::van_leer;
+        break;
+    case 3:
+        settings.order = AdvectionOrder::donor_cell;
+        settings.conserve_total_energy = true;
+        break;
+    default:
+        reject_field(record, "METH", fmt::format("{} is not supported; there are 1, 2, -2 and 3", method));
+    }
+    if (record.integer("NADV") > 1)
+        reject_field(record, "NADV", "the fluid is remapped in every cycle; leave it at 1");
+    if (record.real("START") > 0)
+        reject_field(record, "START",
+                     "the mesh does not move with the fluid before a start time; leave it empty");
+}
+
+void set_boundary(const Model& model, const Record& record, FluidSettings& settings)
+{
+    using Boundary = FluidSettings::Boundary;
+    const Id boundary = record.integer("EBC");
+    if (boundary < 0 || boundary > 2)
+        reject_field(record, "EBC", fmt::format("{} is not one of 0 open, 1 stick, 2 slip", boundary));
+    settings.boundary = boundary == 0 ? Boundary::open : boundary == 1 ? Boundary::stick : Boundary::slip;
+    settings.outside_pressure = record.real("PREF");
+    const Id exempt = record.integer("NSIDEBC");
+    if (exempt == 0) return;
+    for (const NodeSet& set : model.node_sets) {
+        if (set.id != exempt) continue;
+        settings.exempt.assign(model.nodes.size(), false);
+        for (Index node : set.nodes) settings.exempt[node] = true;
+        return;
+    }
+    reject_field(record, "NSIDEBC", fmt::format("there is no node set {}", exempt));
+}
+
+} // namespace
+
+FluidSettings fluid_settings_of(const Model& model)
+{
+    FluidSettings settings;
+    for (const Record& record : model.others) {
+        if (record.keyword != "CONTROL_ALE") continue;
+        settings = {};
+        set_advection(record, settings);
+        set_boundary(model, record, settings);
+    }
+    return settings;
+}
+
+} // namespace plash

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "ale/remap.h"
+#include "model/model.h"
+
+namespace plash {
+
+/// *CONTROL_ALE as far as Plash honours it.
+struct FluidSettings {
+    AdvectionOrder order = AdvectionOrder::van_leer; ///< METH = 2, -2; 1 and 3: donor cell
+    bool conserve_total_energy = false;              ///< METH = 3
+    enum class Boundary { open, stick, slip };
+    Boundary boundary = Boundary::open; ///< EBC: nodes of the mesh's outer faces
+    std::vector<bool> exempt;           ///< NSIDEBC: nodes of the Model that EBC leaves alone; empty: none
+    double outside_pressure = 0;        ///< PREF, on the outer faces [pressure]
+};
+
+/// DeckError for what is not there.
+FluidSettings fluid_settings_of(const Model& model);
+
+} // namespace plash

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "ale/box_fluid.h"
+#include "ale/deck_groups.h"
+#include "ale/mesh_block.h"
+#include "ale/mesh_boundary.h"
+#include "ale/mesh_motion.h"
+#include "core/term.h"
+
+#include <memory>
+
+namespace plash {
+
+/// The fluid in one Eulerian mesh of a deck as a Term. Its nodes have no mass in the State and stay, or move
+/// with the mesh as a whole; the fluid keeps its own velocities, at t_n, and goes from n to n + 1 once the
+/// structures have moved.
+class EulerianFluid : public Term {
+public:
+    EulerianFluid(const Model& model, MeshBlock block, DeckGroups groups, const FluidSettings& settings);
+
+    bool restartable() const override { return false; }
+    std::string_view name() const override { return "Eulerian fluid"; }
+    std::size_t items() const override { return fluid_.grid.cell_count(); }
+    /// In the first cycle takes over the initial velocities of the State's nodes.
+    void add_forces(const Clock& clock, State& state) override;
+    void after_motion(const Clock& clock, State& state) override;
+    StepVote stable_step() const override;
+    void report(EnergyLedger& ledger) const override;
+    void collect(const State& state, ElementResults& results) const override;
+
+    const BoxFluid& fluid() const { return fluid_; }
+    BoxFluid& fluid() { return fluid_; }
+    const MeshBlock& block() const { return block_; }
+    const DeckGroups& groups() const { return groups_; }
+
+private:
+    const Model& model_;
+    MeshBlock block_;
+    DeckGroups groups_;
+    BoxFluid fluid_;
+    MeshBoundary boundary_;
+    MeshMotion motion_;
+    bool started_ = false;
+
+    void start(State& state);
+    void move_mesh(const Clock& clock, State& state);
+    std::array<double, 3> gravity(double time) const;
+    Index part_of_group(const DeckGroup& group) const;
+    void collect_cells(ElementResults& results) const;
+    void collect_nodes(ElementResults& results) const;
+    void collect_parts(ElementResults& results) const;
+};
+
+/// The fluids of all Eulerian meshes of a Model; none when it has none.
+std::vector<std::unique_ptr<EulerianFluid>> make_eulerian_fluids(const Model& model);
+
+} // namespace plash

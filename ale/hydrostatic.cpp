@@ -1,0 +1,244 @@
+#include "ale/hydrostatic.h"
+
+#include "core/run_error.h"
+#include "materials/parameters.h"
+#include "model/eulerian.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cvode/cvode.h>
+#include <fmt/format.h>
+#include <nvector/nvector_serial.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+namespace plash {
+
+namespace {
+
+struct Column {
+    const std::function<double(double, double)>& density;
+    double gravity;
+};
+
+int slope(realtype depth, N_Vector pressure, N_Vector result, void* data)
+{
+    const Column& column = *static_cast<const Column*>(data);
+    NV_Ith_S(result, 0) = column.density(NV_Ith_S(pressure, 0), depth) * column.gravity;
+    return 0;
+}
+
+/// CVODE's objects, freed with this one.
+class Integrator {
+public:
+    Integrator(Column& column, double top, double scale)
+    {
+        SUNContext_Create(nullptr, &context_);
+        value_ = N_VNew_Serial(1, context_);
+        NV_Ith_S(value_, 0) = top;
+        memory_ = CVodeCreate(CV_ADAMS, context_);
+        solver_ = SUNNonlinSol_FixedPoint(value_, 0, context_);
+        const bool fine = CVodeInit(memory_, slope, 0, value_) == CV_SUCCESS &&
+                          CVodeSetUserData(memory_, &column) == CV_SUCCESS &&
+                          CVodeSStolerances(memory_, 1e-10, 1e-12 * scale) == CV_SUCCESS &&
+                          CVodeSetNonlinearSolver(memory_, solver_) == CV_SUCCESS &&
+                          CVodeSetMaxNumSteps(memory_, 100000) == CV_SUCCESS;
+        if (!fine) throw RunError("CVODE could not be set up for the hydrostatic column");
+    }
+    ~Integrator()
+    {
+        CVodeFree(&memory_);
+        SUNNonlinSolFree(solver_);
+        N_VDestroy(value_);
+        SUNContext_Free(&context_);
+    }
+    Integrator(const Integrator&) = delete;
+    Integrator& operator=(const Integrator&) = delete;
+
+    double advance(double depth)
+    {
+        realtype reached = 0;
+        if (CVode(memory_, depth, value_, &reached, CV_NORMAL) < 0)
+            throw RunError(fmt::format("the hydrostatic column has no solution at depth {:g}", depth));
+        return NV_Ith_S(value_, 0);
+    }
+
+private:
+    SUNContext context_ = nullptr;
+    N_Vector value_ = nullptr;
+    SUNNonlinearSolver solver_ = nullptr;
+    void* memory_ = nullptr;
+};
+
+/// A layer of one group below a level.
+struct Layer {
+    double top = 0; ///< depth at which it begins [length]
+    int group = 0;  ///< by the deck's order
+};
+
+/// What one *INITIAL_HYDROSTATIC_ALE says, along an axis of the mesh.
+struct Still {
+    int axis = 2;
+    double sign = -1;   ///< of gravity along the axis
+    double surface = 0; ///< coordinate of the free surface [length]
+    double gravity = 0; ///< [acceleration]
+    double top = 0;     ///< pressure there [pressure]
+    std::vector<Layer> layers;
+
+    double depth(double coordinate) const { return sign * (coordinate - surface); }
+};
+
+double along(const Vec3& v, int axis)
+{
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+void set_direction(const Model& model, const Record& record, Still& still)
+{
+    const Id id = record.integer("VECID");
+    const auto found = std::find_if(model.vectors.begin(), model.vectors.end(),
+                                    [&](const NamedVector& vector) { return vector.id == id; });
+    if (found == model.vectors.end()) reject_field(record, "VECID", fmt::format("there is no vector {}", id));
+    const Vec3 direction = unit(found->head - found->tail);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(std::abs(along(direction, axis)) - 1) > 1e-9) continue;
+        still.axis = axis;
+        still.sign = along(direction, axis);
+        return;
+    }
+    reject_field(record, "VECID", "gravity must point along a global axis");
+}
+
+Still still_of(const Model& model, const Record& record, const DeckGroups& groups)
+{
+    Still still;
+    set_direction(model, record, still);
+    still.gravity = record.real("GRAV");
+    still.top = record.real("PBASE");
+    const Table* table = record.table("NID");
+    if (!table || table->rows() == 0) reject_field(record, "NID", "there is no layer");
+    for (std::size_t row = 0; row < table->rows(); ++row) {
+        const Id id = std::llround(table->at(row, 0)), group = std::llround(table->at(row, 1));
+        const auto node = std::find(model.nodes.id.begin(), model.nodes.id.end(), id);
+        if (node == model.nodes.id.end())
+            throw DeckError({record.where.file, table->lines[row]},
+                            fmt::format("*{}, field NID: there is no node {}", record.keyword, id));
+        if (group < 1 || group > static_cast<Id>(groups.groups.size()))
+            throw DeckError({record.where.file, table->lines[row]},
+                            fmt::format("*{}, field MMGBLO: there is no group {}; the deck has 1 to {}",
+                                        record.keyword, group, groups.groups.size()));
+        if (groups.groups[group - 1].fluid == none) continue; // empty space weighs nothing
+        const double level = along(model.nodes.position[node - model.nodes.id.begin()], still.axis);
+        if (still.layers.empty()) still.surface = level;
+        still.layers.push_back({still.depth(level), static_cast<int>(group) - 1});
+    }
+    if (still.layers.empty()) reject_field(record, "MMGBLO", "no layer has a fluid");
+    std::sort(still.layers.begin(), still.layers.end(),
+              [](const Layer& a, const Layer& b) { return a.top < b.top; });
+    return still;
+}
+
+bool applies(const Model& model, const Record& record, const MeshBlock& block)
+{
+    const std::vector<Index> parts = parts_of_fields(model, record, "ALESID", "STYPE");
+    return std::any_of(block.solids.begin(), block.solids.end(), [&](Index solid) {
+        return std::find(parts.begin(), parts.end(), model.solids.part[solid]) != parts.end();
+    });
+}
+
+/// Pressures at the centres of the cells along the axis of gravity, and of the cell that the surface passes.
+struct Profile {
+    std::vector<double> full, cut; ///< by cell; `cut` for cells that are not full [pressure]
+};
+
+Profile profile_of(const BoxGrid& grid, const Still& still, const DeckGroups& groups)
+{
+    const int axis = still.axis, cells = grid.cells(axis);
+    const auto density = [&](double pressure, double depth) {
+        const Layer* layer = &still.layers.front();
+        for (const Layer& next : still.layers)
+            if (next.top <= depth) layer = &next;
+        const DeckGroup& group = groups.groups[layer->group];
+        return density_at_pressure(group.law, pressure, group.energy_per_mass);
+    };
+    // Half heights of cells, in case they are cut, and centres below the surface, in rising order of depth.
+    std::vector<std::pair<double, int>> wanted;
+    for (int cell = 0; cell < cells; ++cell) {
+        const double centre = still.depth(grid.centre(axis, cell));
+        wanted.emplace_back(0.5 * grid.width(axis, cell), -1 - cell);
+        if (centre > 0) wanted.emplace_back(centre, cell);
+    }
+    std::sort(wanted.begin(), wanted.end());
+    std::vector<double> depths;
+    for (const auto& [depth, cell] : wanted) depths.push_back(depth);
+    const std::vector<double> pressures = pressures_below(still.top, density, still.gravity, depths);
+    Profile profile{std::vector<double>(cells, still.top), std::vector<double>(cells, still.top)};
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const int cell = wanted[i].second;
+        (cell < 0 ? profile.cut[-1 - cell] : profile.full[cell]) = pressures[i];
+    }
+    return profile;
+}
+
+} // namespace
+
+std::vector<double> pressures_below(double top, const std::function<double(double, double)>& density,
+                                    double gravity, const std::vector<double>& depths)
+{
+    Column column{density, gravity};
+    const double deepest = depths.empty() ? 0 : depths.back();
+    const double scale = std::max(std::abs(top), density(top, 0) * gravity * deepest);
+    Integrator integrator(column, top, scale);
+    std::vector<double> pressures;
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const bool again = i > 0 && depths[i] == depths[i - 1];
+        pressures.push_back(depths[i] <= 0 ? top : again ? pressures.back() : integrator.advance(depths[i]));
+    }
+    return pressures;
+}
+
+double density_at_pressure(const FluidGroup& fluid, double pressure, double energy_per_mass)
+{
+    double density = fluid.reference_density;
+    for (int round = 0; round < 50; ++round) {
+        const FluidState<double> state = fluid_state(fluid, density, energy_per_mass);
+        // dp/d(density) at constant entropy is close enough to that at constant energy.
+        const double change = (pressure - state.pressure) * density / state.stiffness;
+        density = std::clamp(density + change, 0.5 * density, 2 * density);
+        if (std::abs(change) < 1e-15 * density) break;
+    }
+    return density;
+}
+
+void set_hydrostatic_state(BoxFluid& fluid, const MeshBlock& block, const DeckGroups& groups,
+                           const Model& model)
+{
+    for (const Record& record : model.others) {
+        if (record.keyword != "INITIAL_HYDROSTATIC_ALE" || !applies(model, record, block)) continue;
+        const Still still = still_of(model, record, groups);
+        const BoxGrid& grid = fluid.grid;
+        const Profile profile = profile_of(grid, still, groups);
+        const bool mixed = !fluid.fields.groups[0].fraction.empty();
+        for (int k = 0; k < grid.cells(2); ++k) {
+            for (int j = 0; j < grid.cells(1); ++j) {
+                for (int i = 0; i < grid.cells(0); ++i) {
+                    const int index[3] = {i, j, k};
+                    const std::ptrdiff_t place = grid.at(i, j, k);
+                    double filled = mixed ? 0 : 1;
+                    for (const GroupFields& group : fluid.fields.groups)
+                        if (mixed) filled += group.fraction[place];
+                    const std::vector<double>& pressures = filled < 1 ? profile.cut : profile.full;
+                    for (const DeckGroup& group : groups.groups) {
+                        if (group.fluid == none) continue;
+                        const double share = mixed ? fluid.fields.groups[group.fluid].fraction[place] : 1;
+                        if (share == 0) continue;
+                        const double density = density_at_pressure(group.law, pressures[index[still.axis]],
+                                                                   group.energy_per_mass);
+                        fluid.fill_cell(i, j, k, group.fluid, share, density, group.energy_per_mass);
+                    }
+                }
+            }
+        }
+    }
+}
+
+} // namespace plash

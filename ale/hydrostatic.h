@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ale/box_fluid.h"
+#include "ale/deck_groups.h"
+#include "ale/mesh_block.h"
+
+#include <functional>
+
+namespace plash {
+
+/// Pressures at rising depths below a free surface, dp/ds = density(p, s) g, by SUNDIALS' CVODE (variable
+/// order Adams method; Hindmarsh et al. 2005, ACM Trans. Math. Softw. 31, 363-396), to a relative tolerance
+/// of 1e-10. top  pressure at depth zero [pressure]
+std::vector<double> pressures_below(double top,
+                                    const std::function<double(double pressure, double depth)>& density,
+                                    double gravity, const std::vector<double>& depths);
+
+/// Density at which a fluid has a pressure, at a given energy per mass (Newton's method) [density].
+double density_at_pressure(const FluidGroup& fluid, double pressure, double energy_per_mass);
+
+/// *INITIAL_HYDROSTATIC_ALE: compresses the fluids of a block, which is filled already, so that they rest
+/// under gravity: layers of one group each, every one below a node. A cell that the free surface passes has
+/// the pressure at half its height, which balances on the mesh whatever its fraction is.
+void set_hydrostatic_state(BoxFluid& fluid, const MeshBlock& block, const DeckGroups& groups,
+                           const Model& model);
+
+} // namespace plash

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ale/box_fluid.h"
+#include "ale/mesh_block.h"
+
+namespace plash {
+
+/// *ALE_REFERENCE_SYSTEM_GROUP: how an Eulerian mesh is carried along as a whole. It translates; it is
+/// neither scaled nor turned.
+struct MeshMotion {
+    enum class Kind {
+        none,
+        curves, ///< PRTYPE = 3: velocities by *ALE_REFERENCE_SYSTEM_CURVE
+        average ///< PRTYPE = 4: the mean velocity of the mass in the mesh
+    };
+    Kind kind = Kind::none;
+    std::array<Index, 3> curves{none, none, none}; ///< velocity of each axis; none: zero
+    unsigned held = 0;                             ///< BCTRAN: axes along which it stays, bits 1, 2, 4
+
+    /// Velocity of the mesh [velocity].
+    std::array<double, 3> velocity(const Model& model, const BoxFluid& fluid, double time) const;
+};
+
+/// DeckError for what is not there.
+MeshMotion mesh_motion_of(const Model& model, const MeshBlock& block);
+
+} // namespace plash

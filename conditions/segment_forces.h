@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/state.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace plash {
+
+/// Four corners of a segment; a triangle repeats the third.
+using SegmentNodes = std::array<Index, 4>;
+
+/// Integrals of N_i n dA over a segment as it stands, n to the side from which the corners run
+/// counter-clockwise: forces of unit pressure against the back, exact for the bilinear surface. (With
+/// position x = m + xi a + eta b' + xi eta c the integrand N_i x_xi cross x_eta is a polynomial, whose
+/// integral is written out.)
+std::array<Vec3, 4> unit_pressure_forces(const SegmentNodes& segment, std::span<const Vec3> position);
+
+/// Area of a segment and the integrals of N_i dA over it, with the Jacobian taken as constant over a
+/// quadrilateral.
+double segment_area(const SegmentNodes& segment, std::span<const Vec3> position);
+
+/// Adds the forces of segments' corners to nodes: corners are listed by node once, and summed in that order,
+/// so the result does not depend on the number of threads.
+class CornerSum {
+public:
+    CornerSum() = default;
+    explicit CornerSum(std::span<const SegmentNodes> segments);
+
+    /// Forces on each corner, segment x 4, to be filled before add_to.
+    std::vector<std::array<Vec3, 4>> force;
+
+    void add_to(std::vector<Vec3>& nodal_force) const;
+
+private:
+    std::vector<Index> node_;   ///< nodes that have corners
+    std::vector<Index> begin_;  ///< their corners: corner_[begin_[i]] .. corner_[begin_[i + 1]]
+    std::vector<Index> corner_; ///< 4 x segment + corner
+};
+
+} // namespace plash

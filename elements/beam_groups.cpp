@@ -1,0 +1,78 @@
+#include "elements/beam_groups.h"
+
+#include "elements/erosion.h"
+#include "materials/parameters.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+namespace plash {
+
+namespace {
+
+constexpr std::pair<std::string_view, BeamGroupMaker*> makers[] = {
+    {"MAT_ELASTIC", make_elastic_beams},
+    {"MAT_PIECEWISE_LINEAR_PLASTICITY", make_piecewise_linear_beams},
+    {"MAT_ISOTROPIC_ELASTIC_PLASTIC", make_piecewise_linear_beams},
+    {"MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", make_piecewise_linear_beams},
+    {"MAT_POWER_LAW_PLASTICITY", make_piecewise_linear_beams},
+    {"MAT_SIMPLIFIED_JOHNSON_COOK", make_piecewise_linear_beams},
+    {"MAT_PLASTIC_KINEMATIC", make_plastic_kinematic_beams},
+    {"MAT_SPOTWELD", make_spot_weld_beams},
+};
+
+/// Mass of beams that have nothing else (*MAT_NULL).
+void add_null_masses(const BeamPart& part, const BeamSection& section, double density, State& state)
+{
+    for (Index element : part.elements) {
+        const auto& nodes = part.model.beams.nodes[element];
+        const double length = norm(part.model.nodes.position[nodes[1]] - part.model.nodes.position[nodes[0]]);
+        const BeamMass share = beam_mass(section, density, length, 0, 1);
+        for (int end = 0; end < 2; ++end) state.mass[nodes[end]] += share.mass;
+    }
+}
+
+void add_group(const BeamPart& beams, State& state, std::vector<std::unique_ptr<Term>>& groups)
+{
+    const Part& part = beams.model.parts[beams.part];
+    if (part.material == none) {
+        throw DeckError(part.where, fmt::format("*PART {} has beams but no material", part.id));
+    }
+    const Record& material = beams.model.materials[part.material];
+    if (material.keyword == "MAT_RIGID") return;
+    if (erosion_criteria(beams.model, material)) {
+        throw DeckError(part.where,
+                        fmt::format("*PART {}: *MAT_ADD_EROSION is supported for solids only", part.id));
+    }
+    BeamSettings settings;
+    settings.section = beam_section(beams.model, part);
+    if (material.keyword == "MAT_NULL") {
+        add_null_masses(beams, settings.section, positive(material, "RO", "mass density"), state);
+        return;
+    }
+    for (const auto& [keyword, maker] : makers) {
+        if (material.keyword != keyword) continue;
+        if (settings.section.formulation != 3) state.need_rotation();
+        groups.push_back(maker(beams, std::move(settings), state));
+        return;
+    }
+    throw DeckError(material.where,
+                    fmt::format("*{} is not supported for beams (part {})", material.keyword, part.id));
+}
+
+} // namespace
+
+std::vector<std::unique_ptr<Term>> make_beam_groups(const Model& model, State& state)
+{
+    std::vector<std::vector<Index>> elements(model.parts.size());
+    for (Index element = 0; element < static_cast<Index>(model.beams.size()); ++element) {
+        elements[model.beams.part[element]].push_back(element);
+    }
+    std::vector<std::unique_ptr<Term>> groups;
+    for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part) {
+        if (!elements[part].empty()) add_group({model, part, std::move(elements[part])}, state, groups);
+    }
+    return groups;
+}
+
+} // namespace plash

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "elements/solid_eight_step.h"
+#include "elements/solid_group.h"
+
+#include <algorithm>
+#include <array>
+
+namespace plash {
+
+/// Group of fully integrated hexahedra (ELFORM 2, -1, -2) of one part.
+template <class Point>
+class SolidEightPoint final : public SolidGroup {
+public:
+    SolidEightPoint(Point point, SolidShear shear, SolidSetup setup, State& state)
+        : SolidGroup(std::move(setup), state, history_size, point_constants + Point::constant_size,
+                     Point::plastic_strain >= 0 ? 0 : -1),
+          point_(std::move(point)),
+          shear_(shear)
+    {
+        start(state);
+    }
+
+    void add_forces(const Clock& clock, State& state) override
+    {
+        start_cycle(clock);
+        patches_.for_each(state, false,
+                          [&](std::ptrdiff_t number, const Patches::Patch& patch, NodeCopies& nodes) {
+                              PatchSum sum;
+                              const Index end = patch.first_batch + patch.batch_count;
+                              for (Index batch = patch.first_batch; batch < end; ++batch) {
+                                  add_batch_forces(batch, clock.last_step, nodes, sum);
+                              }
+                              sums_[number] = std::move(sum);
+                          });
+        close_cycle(state);
+    }
+
+private:
+    static constexpr int history_size = first_gauss_point + solid_gauss_points * eight_point_size<Point>;
+    Point point_;
+    SolidShear shear_;
+
+    void add_batch_forces(Index batch, double time_step, NodeCopies& nodes, PatchSum& sum)
+    {
+        const auto load = [&](const AlignedDoubles& values) {
+            const auto corner = [&](int i) {
+                return load_corner<Lanes>(values.data(), patches_.corner_offsets(batch, i));
+            };
+            return modes_of<Lanes>(
+                {corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)});
+        };
+        const SolidModes<Lanes> position = load(nodes.position), velocity = load(nodes.velocity);
+        SolidResult<Lanes> result = eight_point_step(point_, setup_.parameters, shear_, position, velocity,
+                                                     time_step, history_of(batch), constants_of(batch));
+        take(batch, position, result, sum);
+        const int active = patches_.active_lanes(batch);
+        for_corners(result.force, [&](int corner, const Vector3<Lanes>& force) {
+            add_corner(nodes.force.data(), patches_.corner_offsets(batch, corner), force, active);
+        });
+    }
+
+    /// Volumes, masses, initial history and first stable steps.
+    void start(State& state)
+    {
+        std::vector<double> first_step(patches_.elements.size());
+        for (const Patches::Patch& patch : patches_.patches) {
+            for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
+                const SolidModes<Lanes> position = start_position(patch, batch, state);
+                start_batch(batch, gradient_of<SolidGradientRule::mean>(position).volume, position, state);
+                start_history(batch, position);
+                std::array<Lanes, history_size> trial;
+                std::copy_n(history_of(batch), trial.size(), trial.begin());
+                const auto result =
+                    eight_point_step(point_, setup_.parameters, shear_, position, SolidModes<Lanes>{}, 0.0,
+                                     trial.data(), constants_of(batch));
+                for (int lane = 0; lane < lane_count; ++lane) {
+                    first_step[static_cast<std::size_t>(batch) * lane_count + lane] =
+                        result.vote.stable_step[lane];
+                }
+            }
+        }
+        finish_start(std::move(first_step), state);
+    }
+
+    /// The material point starts once; all eight points begin as it does.
+    void start_history(Index batch, const SolidModes<Lanes>& position)
+    {
+        std::array<Lanes, point_history + Point::history_size> one{};
+        point_.start(position, one.data(), constants_of(batch));
+        Lanes* history = history_of(batch);
+        std::copy_n(one.begin(), point_history, history);
+        for (int i = 0; i < solid_gauss_points; ++i) {
+            Lanes* point = history + first_gauss_point + i * eight_point_size<Point>;
+            std::copy_n(one.begin() + stress_history, 6, point);
+            std::copy_n(one.begin() + point_history, Point::history_size, point + 6);
+        }
+    }
+};
+
+} // namespace plash

@@ -1,0 +1,331 @@
+#include "parser/units.h"
+
+#include <cmath>
+
+namespace plash {
+namespace {
+
+constexpr Dimension number{};
+constexpr Dimension mass{1};
+constexpr Dimension length{0, 1};
+constexpr Dimension area{0, 2};
+constexpr Dimension volume{0, 3};
+constexpr Dimension second_area{0, 4}; // second moment of area
+constexpr Dimension duration{0, 0, 1};
+constexpr Dimension rate{0, 0, -1};
+constexpr Dimension velocity{0, 1, -1};
+constexpr Dimension acceleration{0, 1, -2};
+constexpr Dimension angular_acceleration{0, 0, -2};
+constexpr Dimension density{1, -3};
+constexpr Dimension area_density{1, -2};
+constexpr Dimension line_density{1, -1};
+constexpr Dimension inertia{1, 2};
+constexpr Dimension force{1, 1, -2};
+constexpr Dimension moment{1, 2, -2};
+constexpr Dimension stress{1, -1, -2};
+constexpr Dimension softness{-1, 1, 2}; // one over a stress
+constexpr Dimension viscosity{1, -1, -1};
+constexpr Dimension stiffness{1, 0, -2};
+constexpr Dimension damping{1, 0, -1};
+constexpr Dimension rotary_damping{1, 2, -1};
+constexpr Dimension slowness{0, -1, 1}; // one over a velocity
+constexpr Dimension temperature{0, 0, 0, 1};
+
+/// Fields of keywords with one dimension. A `*` at the end of a keyword stands for any ending, a `#` at the
+/// end of a field for a number. The first row that fits counts, so that exceptions stand above their family.
+struct Row {
+    std::string_view keyword, fields;
+    Dimension dimension;
+};
+
+constexpr Row rows[] = {
+    {"NODE", "X Y Z", length},
+
+    {"ELEMENT_SHELL*", "THIC# THICK# OFFSET", length},
+    {"ELEMENT_SHELL*", "BETA PSI B#", number},
+    {"ELEMENT_TSHELL*", "THICK#", length},
+    {"ELEMENT_TSHELL*", "BETA B#", number},
+    {"ELEMENT_SOLID*", "A# D#", number},
+    {"ELEMENT_SPH", "MASS", mass},
+    {"ELEMENT_SPH_VOLUME", "VOLUME", volume},
+    {"ELEMENT_MASS*", "MASS ADDMASS FINMASS", mass},
+    {"ELEMENT_INERTIA*", "IXX IXY IXZ IYY IYZ IZZ", inertia},
+    {"ELEMENT_INERTIA*", "MASS", mass},
+    {"ELEMENT_INERTIA*", "X-OFF Y_OFF Z_OFF", length},
+    {"ELEMENT_DISCRETE", "S", number},
+    {"ELEMENT_DISCRETE", "OFFSET", length},
+    {"ELEMENT_BEAM*", "VX VY VZ DOFN#", number},
+    {"ELEMENT_BEAM*", "WX# WY# WZ#", length},
+    {"ELEMENT_BEAM_SCALAR*", "VOL", volume},
+    {"ELEMENT_BEAM_SCALAR*", "INER", inertia},
+    {"ELEMENT_SEATBELT", "SLEN", length},
+    {"ELEMENT_SEATBELT_ACCELEROMETER", "MASS", mass},
+
+    {"SECTION_SHELL*", "T#", length},
+    {"SECTION_SHELL*", "NLOC SHRF PROPT QR/IRID IDOF ANGLE XI ETA WGT PI BI B#", number},
+    {"SECTION_SHELL*", "MAREA", area_density},
+    {"SECTION_TSHELL", "SHRF PROPT BI", number},
+    {"SECTION_SOLID*", "XI ETA ZETA WGT P PI AFAC BFAC CFAC DFAC AAFAC COHOFF", number},
+    {"SECTION_SOLID*", "START END", duration},
+    {"SECTION_BEAM", "SHRF SCOOR NSLOC NTLOC PRINT", number},
+    {"SECTION_BEAM", "NSM", line_density},
+    {"SECTION_BEAM", "TS# TT#", length},
+    {"SECTION_BEAM", "A SAS SAT CA/DOFN1", area},
+    {"SECTION_BEAM", "ISS ITT J IST ITORM", second_area},
+    {"SECTION_BEAM", "VOL", volume},
+    {"SECTION_BEAM", "INER", inertia},
+    {"SECTION_DISCRETE", "KD", number},
+    {"SECTION_DISCRETE", "V0", velocity},
+    {"SECTION_DISCRETE", "CL FD", length},
+    {"SECTION_SPH*", "CSLH HMIN HMAX", number},
+    {"SECTION_SPH*", "SPHINI", length},
+    {"SECTION_SPH*", "DEATH START", duration},
+    {"SECTION_SEATBELT", "AREA", area},
+    {"SECTION_SEATBELT", "THICK", length},
+    {"HOURGLASS", "QM Q1 Q2 QB/VDC QW", number},
+
+    {"PART*", "FS FD SFT SSF SHRF B# SHRFAC", number},
+    {"PART*", "DC", slowness},
+    {"PART*", "VC", stress},
+    {"PART*", "OPTT THICK# XC YC ZC XL YL ZL XLIP YLIP ZLIP XMOV YMOV ZMOV", length},
+    {"PART*", "TM", mass},
+    {"PART*", "IXX IXY IXZ IYY IYZ IZZ", inertia},
+    {"PART*", "VTX VTY VTZ", velocity},
+    {"PART*", "VRX VRY VRZ", rate},
+    {"PART_COMPOSITE*", "NLOC", number},
+    {"PART_COMPOSITE*", "MAREA", area_density},
+
+    {"MAT_ELASTIC", "DA DB", number},
+    {"MAT_PLASTIC_KINEMATIC", "BETA SRP FS VP", number},
+    {"MAT_PLASTIC_KINEMATIC", "SRC", rate},
+    {"MAT_VISCOELASTIC", "G0 GI", stress},
+    {"MAT_VISCOELASTIC", "BETA", rate},
+    {"MAT_BLATZ-KO_RUBBER", "REF", number},
+    {"MAT_NULL", "PC YM", stress},
+    {"MAT_NULL", "MU", viscosity},
+    {"MAT_NULL", "TEROD CEROD", number},
+    {"MAT_ELASTIC_PLASTIC_HYDRO", "EH PC ES#", stress},
+    {"MAT_ELASTIC_PLASTIC_HYDRO", "FS EPS#", number},
+    {"MAT_ELASTIC_PLASTIC_HYDRO", "CHARL", length},
+    {"MAT_JOHNSON_COOK", "A B PC", stress},
+    {"MAT_JOHNSON_COOK", "VP RATEOP N C M SPALL IT D1/BETA D2/WC D3/DC D4/GAMMA D5 EROD EFMIN NUMINT",
+     number},
+    {"MAT_JOHNSON_COOK", "DTF", duration},
+    {"MAT_JOHNSON_COOK", "TM TR", temperature},
+    {"MAT_JOHNSON_COOK", "EPSO", rate},
+    {"MAT_JOHNSON_COOK", "CP", {0, 2, -2, -1}},
+    {"MAT_SIMPLIFIED_JOHNSON_COOK", "A B SIGMAX SIGSAT", stress},
+    {"MAT_SIMPLIFIED_JOHNSON_COOK", "VP N C PSFAIL", number},
+    {"MAT_SIMPLIFIED_JOHNSON_COOK", "EPSO", rate},
+    {"MAT_POWER_LAW_PLASTICITY", "K", stress},
+    {"MAT_POWER_LAW_PLASTICITY", "N SRP EPSF VP", number},
+    {"MAT_POWER_LAW_PLASTICITY", "SRC", rate},
+    {"MAT_RIGID", "CMO CON1 CON2 LCO_OR_A1", number},
+    {"MAT_RIGID", "XSPC YSPC ZSPC", length},
+    {"MAT_PIECEWISE_LINEAR_PLASTICITY", "FAIL P VP EPS#", number},
+    {"MAT_PIECEWISE_LINEAR_PLASTICITY", "TDEL", duration},
+    {"MAT_PIECEWISE_LINEAR_PLASTICITY", "C", rate},
+    {"MAT_PIECEWISE_LINEAR_PLASTICITY", "ES#", stress},
+    {"MAT_MOONEY-RIVLIN_RUBBER", "A B", stress},
+    {"MAT_MOONEY-RIVLIN_RUBBER", "REF", number},
+    {"MAT_MOONEY-RIVLIN_RUBBER", "SGL SW ST", length},
+    {"MAT_LOW_DENSITY_FOAM", "TC ED KCON", stress},
+    {"MAT_LOW_DENSITY_FOAM", "HU DAMP SHAPE FAIL BVFLAG REF", number},
+    {"MAT_LOW_DENSITY_FOAM", "BETA BETA1", rate},
+    {"MAT_CRUSHABLE_FOAM", "TSC", stress},
+    {"MAT_CRUSHABLE_FOAM", "DAMP", number},
+    {"MAT_OGDEN_RUBBER", "MU# GI SIGF", stress},
+    {"MAT_OGDEN_RUBBER", "ALPHA# REF DATA", number},
+    {"MAT_OGDEN_RUBBER", "D#", softness},
+    {"MAT_OGDEN_RUBBER", "SGL SW ST", length},
+    {"MAT_OGDEN_RUBBER", "BETAI", rate},
+    {"MAT_HONEYCOMB", "EAAU EBBU ECCU GABU GBCU GCAU", stress},
+    {"MAT_HONEYCOMB", "VF MU TSEF SSEF", number},
+    {"MAT_SPOTWELD", "EH", stress},
+    {"MAT_SPOTWELD", "DT TFAIL", duration},
+    {"MAT_SPOTWELD", "EFAIL NF", number},
+    {"MAT_SPOTWELD", "NRR NRS NRT", force},
+    {"MAT_SPOTWELD", "MRR MSS MTT", moment},
+    {"MAT_ENHANCED_COMPOSITE_DAMAGE", "XC XT YC YT SC", stress},
+    {"MAT_ENHANCED_COMPOSITE_DAMAGE",
+     "ALPH SOFT FBRT YCFAC DFAILM DFAILS DFAILT DFAILC EFS CRIT BETA PEL EPSF EPSR TSMD SOFT2 SLIMT1 SLIMC1 "
+     "SLIMT2 "
+     "SLIMC2 SLIMS NCYRED SOFTG MANGLE 2WAY TI",
+     number},
+    {"MAT_LAMINATED_COMPOSITE_FABRIC", "XC XT YC YT SC TAU1", stress},
+    {"MAT_LAMINATED_COMPOSITE_FABRIC",
+     "GAMMA1 SLIMT1 SLIMC1 SLIMT2 SLIMC2 SLIMS ERODS SOFT FS EPSF EPSR TSMD BETA E11C E11T E22C E22T GMS",
+     number},
+    {"MAT_LAMINATED_COMPOSITE_FABRIC", "TSIZE", duration},
+    {"MAT_SPRING_ELASTIC", "K", stiffness},
+    {"MAT_DAMPER_VISCOUS", "DC", damping},
+    {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", "TKR TKS TKT", stiffness},
+    {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", "RKR RKS RKT MOR MOS MOT", moment},
+    {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", "TDR TDS TDT", damping},
+    {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", "RDR RDS RDT", rotary_damping},
+    {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", "FOR FOS FOT", force},
+    {"MAT_ADD_EROSION", "MXPRES MNPRES SIGP1 SIGVM SIGTH", stress},
+    {"MAT_ADD_EROSION", "EXCL MNEPS EFFEPS VOLEPS NUMFIP NCS MXEPS EPSSH EPSTHIN VOLFRAC", number},
+    {"MAT_ADD_EROSION", "FAILTM DTMIN", duration},
+    {"MAT_*", "RO", density},
+    {"MAT_*", "E EA EB EC (EC) GAB GBC GCA G BULK SIGY ETAN SIGF", stress},
+    {"MAT_*", "PR PRBA PRCA PRCB (PRCA) (PRCB) AOPT MACF A1 A2 A3 V1 V2 V3 D1 D2 D3", number},
+    {"MAT_*", "XP YP ZP", length},
+
+    {"EOS_LINEAR_POLYNOMIAL", "C0 C1 C2 C3 E0", stress},
+    {"EOS_LINEAR_POLYNOMIAL", "C4 C5 C6 V0", number},
+    {"EOS_JWL", "A B E0", stress},
+    {"EOS_JWL", "R1 R2 OMEG VO", number},
+    {"EOS_GRUNEISEN", "C", velocity},
+    {"EOS_GRUNEISEN", "S1 S2 S3 GAMMA0 A V0", number},
+    {"EOS_GRUNEISEN", "E0", stress},
+    {"EOS_TABULATED*", "GAMA V0 EV#", number},
+    {"EOS_TABULATED*", "T#", number},
+    {"EOS_TABULATED*", "C# K# E0", stress},
+
+    {"DEFINE_CURVE*", "SFA SFO", number},
+    {"DEFINE_TABLE*", "SFA", number},
+    {"DEFINE_COORDINATE_SYSTEM", "XO YO ZO XL YL ZL XP YP ZP", length},
+    {"DEFINE_COORDINATE_VECTOR", "XX YX ZX XV YV ZV", number},
+    {"DEFINE_VECTOR", "XT YT ZT XH YH ZH", length},
+    {"DEFINE_BOX", "XMN XMX YMN YMX ZMN ZMX", length},
+    {"DEFINE_SD_ORIENTATION", "XT YT ZT", number},
+    {"DEFINE_FRICTION", "FS_D FD_D FS_IJ FD_IJ", number},
+    {"DEFINE_FRICTION", "DC_D DC_IJ", slowness},
+    {"DEFINE_FRICTION", "VC_D VC_IJ", stress},
+    {"SET_*", "DA# A#", number}, // what they mean is told by who uses the set
+
+    {"INCLUDE_*", "FCTMAS FCTTIM FCTLEN FCTCHG", number},
+
+    {"BOUNDARY_*", "SF VX VY VZ", number},
+    {"BOUNDARY_*", "BIRTH DEATH", duration},
+    {"BOUNDARY_PRESCRIBED_MOTION*", "OFFSET1 OFFSET2", length},
+    {"BOUNDARY_SPC_SYMMETRY_PLANE*", "X Y Z TOL", length},
+    {"INITIAL_VELOCITY*", "VX VY VZ VXE VYE VZE", velocity},
+    {"INITIAL_VELOCITY*", "VXR VYR VZR VXRE VYRE VZRE OMEGA", rate},
+    {"INITIAL_VELOCITY*", "XC YC ZC", length},
+    {"INITIAL_VELOCITY*", "NX NY NZ", number},
+    {"LOAD_BODY*", "SF V1 V2 V3", number},
+    {"LOAD_BODY*", "XC YC ZC", length},
+    {"LOAD_NODE*", "SF", number},
+    {"LOAD_SEGMENT*", "SF", number},
+    {"LOAD_SEGMENT*", "AT DT", duration},
+    {"LOAD_SHELL*", "SF", number},
+    {"LOAD_SHELL*", "AT", duration},
+    {"CONTACT_*",
+     "FS FD VDC SFSA SFSB SFSAT SFSBT FSF VSF SOFSCL MAXPAR PENMAX DPRFAC EDGEK FLANGL DTPCHK FRICSF",
+     number},
+    {"CONTACT_*", "DC", slowness},
+    {"CONTACT_*", "VC NFLS SFLS", stress},
+    {"CONTACT_*", "BT DT", duration},
+    {"CONTACT_*", "SAST SBST SLDTHK", length},
+    {"RIGIDWALL_*", "OFFSET XT YT ZT XH YH ZH XHEV YHEV ZHEV LENL LENM", length},
+    {"RIGIDWALL_*", "BIRTH DEATH", duration},
+    {"RIGIDWALL_*", "RWKSF FRIC", number},
+    {"RIGIDWALL_*", "WVEL V0", velocity},
+    {"RIGIDWALL_*", "MASS", mass},
+    {"CONSTRAINED_NODAL_RIGID_BODY*", "CMO", number},
+    {"CONSTRAINED_NODAL_RIGID_BODY*", "XSPC YSPC ZSPC XC YC ZC XL YL ZL XLIP YLIP ZLIP", length},
+    {"CONSTRAINED_NODAL_RIGID_BODY*", "TM", mass},
+    {"CONSTRAINED_NODAL_RIGID_BODY*", "IXX IXY IXZ IYY IYZ IZZ", inertia},
+    {"CONSTRAINED_NODAL_RIGID_BODY*", "VTX VTY VTZ", velocity},
+    {"CONSTRAINED_NODAL_RIGID_BODY*", "VRX VRY VRZ", rate},
+    {"CONSTRAINED_JOINT_*", "RPS DAMP", number},
+    {"CONSTRAINED_SPOTWELD", "SN SS", force},
+    {"CONSTRAINED_SPOTWELD", "N M EP", number},
+    {"CONSTRAINED_SPOTWELD", "TF", duration},
+    {"DAMPING_GLOBAL", "VALDMP", rate},
+    {"DAMPING_*", "STX STY STZ SRX SRY SRZ SF COEF CDAMP", number},
+    {"DAMPING_FREQUENCY_RANGE*", "FLOW FHIGH", rate},
+    {"DATABASE_CROSS_SECTION_PLANE", "XCT YCT ZCT XCH YCH ZCH RADIUS XHEV YHEV ZHEV LENL LENM", length},
+    {"DATABASE_*", "DT", duration},
+    {"CONTROL_TERMINATION", "ENDTIM", duration},
+    {"CONTROL_TERMINATION", "DTMIN ENDENG ENDMAS", number},
+    {"CONTROL_TIMESTEP", "DTINIT DT2MS", duration},
+    {"CONTROL_TIMESTEP", "TSSFAC", number},
+};
+
+/// Curves: what a field's curve gives over what, and the values of a table in the place of the curve.
+struct CurveRow {
+    std::string_view keyword, fields;
+    CurveDimensions dimensions;
+};
+
+constexpr CurveRow curve_rows[] = {
+    {"MAT_PIECEWISE_LINEAR_PLASTICITY", "LCSS", {number, stress, rate}},
+    {"MAT_PIECEWISE_LINEAR_PLASTICITY", "LCSR", {rate, number, number}},
+    {"MAT_LOW_DENSITY_FOAM", "LCID", {number, stress, rate}},
+    {"MAT_CRUSHABLE_FOAM", "LCID", {number, stress, rate}},
+    {"MAT_HONEYCOMB", "LCA LCB LCC LCS LCAB LCBC LCCA", {number, stress, number}},
+    {"MAT_MOONEY-RIVLIN_RUBBER", "LCID", {length, force, number}},
+    {"MAT_SPRING_NONLINEAR_ELASTIC", "LCD", {length, force, number}},
+    {"MAT_DAMPER_NONLINEAR_VISCOUS", "LCDR", {velocity, force, number}},
+    {"LOAD_BODY_R*", "LCID LCIDDR", {duration, rate, number}},
+    {"LOAD_BODY*", "LCID LCIDDR", {duration, acceleration, number}},
+    {"LOAD_NODE*", "LCID", {duration, force, number}},
+    {"LOAD_SEGMENT*", "LCID", {duration, stress, number}},
+    {"LOAD_SHELL*", "LCID", {duration, stress, number}},
+    {"DAMPING_GLOBAL", "LCID", {duration, rate, number}},
+    {"DAMPING_PART_MASS*", "LCID", {duration, rate, number}},
+    {"CONTROL_TIMESTEP", "LCTM", {duration, duration, number}},
+    {"DATABASE_*", "LCUR LCDT", {duration, duration, number}},
+};
+
+bool fits(std::string_view pattern, std::string_view name, char joker)
+{
+    if (!pattern.ends_with(joker)) return pattern == name;
+    pattern.remove_suffix(1);
+    if (!name.starts_with(pattern)) return false;
+    name.remove_prefix(pattern.size());
+    return joker == '*' || (!name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos);
+}
+
+bool holds(std::string_view fields, std::string_view name)
+{
+    while (!fields.empty()) {
+        const auto end = fields.find(' ');
+        if (fits(fields.substr(0, end), name, '#')) return true;
+        if (end == std::string_view::npos) return false;
+        fields.remove_prefix(end + 1);
+    }
+    return false;
+}
+
+} // namespace
+
+std::optional<double> UnitFactors::of(const Dimension& dimension) const
+{
+    if (temperature && dimension.temperature != 0) return std::nullopt;
+    return std::pow(mass, dimension.mass) * std::pow(length, dimension.length) *
+           std::pow(time, dimension.time);
+}
+
+std::optional<Dimension> dimension_of(std::string_view keyword, std::string_view field)
+{
+    for (const Row& row : rows)
+        if (fits(row.keyword, keyword, '*') && holds(row.fields, field)) return row.dimension;
+    return std::nullopt;
+}
+
+std::optional<CurveDimensions> curve_dimensions_of(std::string_view keyword, std::string_view field, int kind,
+                                                   bool rotation)
+{
+    if (keyword.starts_with("BOUNDARY_PRESCRIBED_MOTION") && field == "LCID") {
+        if (kind == 3)
+            return rotation ? CurveDimensions{number, rate, number}
+                            : CurveDimensions{length, velocity, number};
+        if (kind < 0 || kind > 2) return std::nullopt;
+        const Dimension along[] = {velocity, acceleration, length},
+                        about[] = {rate, angular_acceleration, number};
+        return CurveDimensions{duration, rotation ? about[kind] : along[kind], number};
+    }
+    for (const CurveRow& row : curve_rows) {
+        if (!fits(row.keyword, keyword, '*') || !holds(row.fields, field)) continue;
+        CurveDimensions dimensions = row.dimensions;
+        if (rotation && dimensions.ordinate == force) dimensions.ordinate = moment;
+        return dimensions;
+    }
+    return std::nullopt;
+}
+
+} // namespace plash

@@ -1,0 +1,138 @@
+// What a body of particles does beyond the plain scheme, when the deck asks for it (*PLASH_SPH_FORMULATION).
+
+#include "core/parallel.h"
+#include "core/prescribed_rate.h"
+#include "sph/moving_domain.h"
+#include "sph/pair_passes.h"
+#include "sph/particle_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plash {
+
+/// Acceleration by the body loads that act on everything.
+Vec3 ParticleBody::gravity(double time) const
+{
+    Vec3 sum{};
+    for (const BodyLoad& load : model_.body_loads) {
+        if (!load.parts.empty()) continue;
+        sum -= (load.scale * curve_value(model_, load.curve, time)) * load.direction;
+    }
+    return sum;
+}
+
+DensityDiffusion ParticleBody::density_diffusion(const Clock& clock)
+{
+    if (!(options_.density_diffusion > 0)) return {};
+    arrays_.diffusion.resize(arrays_.motion.size());
+    return {options_.density_diffusion, gravity(clock.time),  arrays_.push.data(),
+            arrays_.part.data(),        arrays_.image.data(), options_.volume_weighted};
+}
+
+/// Re-initialised densities; pressures follow with the next step.
+void ParticleBody::filter_densities()
+{
+    ParticleArrays& a = arrays_;
+    images_.refresh_all(a);
+    const std::vector<double> density =
+        filtered_densities(options_.kernel, options_.dimension, options_.volume_weighted, runs_, a);
+    for_chunks(density.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            if (!a.image[p] && !parts_[a.part[p]].law->has_strength()) a.density[p] = density[p];
+        }
+    });
+}
+
+void ParticleBody::add_tensile_forces(const Clock& clock, State& state)
+{
+    const auto take = [&](const NeighbourRun& run, const ForceSums* sums) {
+        take_forces(run, sums, 0.5 * clock.last_step, state);
+    };
+    sum_tensile_forces(options_.kernel, options_.dimension, options_.volume_weighted,
+                       options_.tensile_repulsion, runs_, arrays_, take);
+}
+
+/// XSPH moves a particle with a velocity nearer to that of its neighbours. Shifting moves it away from where
+/// particles crowd, with 2 h U times the crowding, U being the largest speed against the mean; not near a
+/// free surface, where the kernel is not full and crowding says nothing.
+void ParticleBody::find_drifts(const State& state)
+{
+    ParticleArrays& a = arrays_;
+    a.drift.assign(a.motion.size(), {});
+    Vec3 momentum{};
+    double mass = 0, fastest = 0;
+    for (const ParticlePart& part : parts_)
+        for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+            momentum += part.mass[i] * state.velocity[part.nodes[i]];
+            mass += part.mass[i];
+        }
+    const Vec3 mean = (1 / mass) * momentum;
+    for (const ParticlePart& part : parts_)
+        for (Index node : part.nodes) fastest = std::max(fastest, norm(state.velocity[node] - mean));
+
+    const double inside = 0.85 * options_.dimension;
+    const auto take = [&](const NeighbourRun& run, const DriftSums* sums) {
+        for (Index i = 0; i < run.length(); ++i) {
+            const Index p = run.begin + i;
+            if (a.image[p]) continue;
+            Vec3 drift = options_.velocity_blend * sums[i].smoothed;
+            if (options_.shifting > 0 && sums[i].spread > inside) {
+                Vec3 shift = (-2 * options_.shifting * a.motion[p].smoothing * fastest) * sums[i].crowding;
+                const double speed = norm(shift);
+                if (speed > 0.5 * fastest) shift = (0.5 * fastest / speed) * shift;
+                drift += shift;
+            }
+            a.drift[p] = drift;
+        }
+    };
+    sum_drifts(options_.kernel, options_.dimension, options_.volume_weighted, runs_, a, take);
+}
+
+/// Calms what the lower planes of moving periodic pairs are about to reach; the energy taken is damping.
+void ParticleBody::calm_wake(const Clock& clock, State& state)
+{
+    const auto periods = images_.periods();
+    for (std::size_t index = 0; index < periods.size(); ++index) {
+        const PeriodicPair& pair = periods[index];
+        if (pair.node == none || !(pair.calm > 0)) continue;
+        PeriodicPair now = pair; // the planes themselves move with the next search
+        const Vec3 along = unit(pair.period);
+        const double moved = clock.step * dot(state.velocity[pair.node], along);
+        const double since_search = dot(state.position[pair.node] - followed_[index], along);
+        now.lower += since_search * along;
+        const CalmZone zone(now, moved);
+        damped_energy_ += sum_chunks(arrays_.motion.size(), [&](std::size_t begin, std::size_t end) {
+            double taken = 0;
+            for (std::size_t p = begin; p < end; ++p) {
+                if (!arrays_.image[p]) taken += calm_particle(zone, static_cast<Index>(p), state);
+            }
+            return taken;
+        });
+    }
+}
+
+/// The energy that a particle loses in the zone.
+double ParticleBody::calm_particle(const CalmZone& zone, Index place, State& state)
+{
+    ParticleArrays& a = arrays_;
+    const Index node = a.node[place];
+    Vec3& position = state.position[node];
+    const double kept = zone.kept(position);
+    if (kept == 1) return 0;
+    Vec3& velocity = state.velocity[node];
+    const double mass = a.mass[place];
+    const double kinetic = 0.5 * mass * (1 - kept * kept) * dot(velocity, velocity);
+    velocity = kept * velocity;
+    const Vec3 home = zone.home(model_.nodes.position[node], position);
+    position = home + kept * (position - home);
+    const ParticlePart& part = parts_[a.part[place]];
+    const double at_rest = part.constants.density * part.law->initial_compression();
+    a.density[place] = at_rest + kept * (a.density[place] - at_rest);
+    const double energy = part.law->initial_energy();
+    const double heat = (1 - kept) * (a.energy[place] - energy) * mass / part.constants.density;
+    a.energy[place] = energy + kept * (a.energy[place] - energy);
+    return kinetic + heat;
+}
+
+} // namespace plash

@@ -1,0 +1,54 @@
+// Particles that leave the run: out of the box of *CONTROL_SPH, or faster than its MAXV.
+
+#include "core/parallel.h"
+#include "sph/particle_body.h"
+
+namespace plash {
+
+bool ParticleBody::leaves(Index place) const
+{
+    const MotionRecord& motion = arrays_.motion[place];
+    if (options_.box && !options_.box->holds(motion.position)) return true;
+    return dot(motion.velocity, motion.velocity) > options_.largest_speed * options_.largest_speed;
+}
+
+bool ParticleBody::anyone_leaves() const
+{
+    if (!options_.box && options_.largest_speed == forever) return false;
+    return sum_chunks(arrays_.motion.size(), [&](std::size_t begin, std::size_t end) {
+               double count = 0;
+               for (std::size_t p = begin; p < end; ++p) {
+                   count += !arrays_.image[p] && leaves(static_cast<Index>(p));
+               }
+               return count;
+           }) > 0;
+}
+
+/// Takes leaving particles out of the motion: their nodes stand still without mass, their energies go to the
+/// eroded ones. Returns the new number of each particle by its old one, `none` where it has left.
+std::vector<Index> ParticleBody::dismiss_leaving(State& state)
+{
+    ParticleArrays& a = arrays_;
+    std::vector<Index> number(real_count_, 0);
+    departed_.resize(parts_.size());
+    const bool somebody = anyone_leaves();
+    for (Index p = 0; somebody && p < a.size(); ++p) {
+        if (a.image[p] || !leaves(p)) continue;
+        number[a.particle[p]] = none;
+        Departed& left = departed_[a.part[p]];
+        ++left.count;
+        left.mass += a.mass[p];
+        left.kinetic += 0.5 * a.mass[p] * dot(a.motion[p].velocity, a.motion[p].velocity);
+        left.internal += a.energy[p] * a.mass[p] / parts_[a.part[p]].constants.density;
+        state.mass[a.node[p]] = 0;
+        state.velocity[a.node[p]] = {};
+    }
+    Index next = 0;
+    for (Index& n : number) {
+        if (n != none) n = next++;
+    }
+    real_count_ = static_cast<std::size_t>(next);
+    return number;
+}
+
+} // namespace plash

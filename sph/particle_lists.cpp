@@ -1,0 +1,110 @@
+// How long neighbour lists hold.
+
+#include "core/parallel.h"
+#include "sph/particle_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plash {
+
+namespace {
+
+/// The least and the largest skin over the mean one that the options ask for. Fast particles are few, and
+/// what the slow ones need is little: a skin by speed makes shorter lists that hold longer.
+constexpr double least_share = 0.3, largest_share = 2;
+
+/// Mean of value(place) over the particles, summed in chunks.
+template <class Value>
+Vec3 mean_of(const ParticleArrays& arrays, std::size_t real_count, Value&& value)
+{
+    std::vector<Vec3> partial((arrays.motion.size() + chunk_length - 1) / chunk_length);
+    for_chunks(arrays.motion.size(), [&](std::size_t begin, std::size_t end) {
+        Vec3 sum{};
+        for (std::size_t p = begin; p < end; ++p) {
+            if (!arrays.image[p]) sum += value(p);
+        }
+        partial[begin / chunk_length] = sum;
+    });
+    Vec3 sum{};
+    for (const Vec3& part : partial) sum += part;
+    return real_count > 0 ? (1 / static_cast<double>(real_count)) * sum : sum;
+}
+
+} // namespace
+
+/// Gives every particle the skin that all of them use up in about the same time at their present speeds.
+void ParticleBody::set_skins()
+{
+    ParticleArrays& a = arrays_;
+    const Vec3 mean =
+        images_.any() ? Vec3{} : mean_of(a, real_count_, [&](std::size_t p) { return a.motion[p].velocity; });
+    double fastest = 0, largest = 0;
+    for (Index p = 0; p < a.size(); ++p) {
+        if (a.image[p]) continue;
+        fastest = std::max(fastest, norm(a.motion[p].velocity - mean));
+        largest = std::max(largest, a.motion[p].smoothing);
+    }
+    const double skin = options_.skin * support_ * largest;
+    least_skin_ = least_share * skin;
+    const double time = fastest > 0 ? (largest_share - least_share) * skin / fastest : 0;
+    for_chunks(a.motion.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            if (!a.image[p]) a.skin[p] = least_skin_ + norm(a.motion[p].velocity - mean) * time;
+        }
+    });
+}
+
+/// Whether no pair can have come into reach that is not on the lists: no particle has moved, against all of
+/// them, by more than half of its skin, growth of its kernel included.
+bool ParticleBody::lists_hold(const State& state) const
+{
+    const ParticleArrays& a = arrays_;
+    const double planes = images_.behind(state, model_.nodes.position);
+    if (planes > 0.5 * least_skin_) return false;
+    for (std::size_t i = 0; i < options_.regions.size(); ++i) {
+        // Who is awake is looked up again when a region has gone a few particles further.
+        const Vec3 gone = options_.regions[i].travelled(state, model_.nodes.position) - regions_at_[i];
+        if (norm(gone) > 10 * least_skin_) return false;
+    }
+    // Images mirror the motion, so what all particles have in common counts there.
+    const Vec3 common = images_.any() ? Vec3{} : mean_of(a, real_count_, [&](std::size_t p) {
+        return a.motion[p].position - a.build_position[p];
+    });
+    const double passed = sum_chunks(a.motion.size(), [&](std::size_t begin, std::size_t end) {
+        double count = 0;
+        for (std::size_t p = begin; p < end; ++p) {
+            if (a.image[p]) continue;
+            const double growth = std::max(0.0, a.motion[p].smoothing - a.build_smoothing[p]);
+            const double left = 0.5 * (a.skin[p] - support_ * growth) - planes;
+            const Vec3 moved = a.motion[p].position - a.build_position[p] - common;
+            count += !(left >= 0 && dot(moved, moved) <= left * left);
+        }
+        return count;
+    });
+    return passed == 0;
+}
+
+void ParticleBody::list_neighbours(const ParticleCells& cells)
+{
+    ParticleArrays& a = arrays_;
+    a.build_position.resize(a.motion.size());
+    a.build_smoothing.resize(a.motion.size());
+    images_.copy_skins(a);
+    std::vector<double> reach(a.motion.size());
+    for (std::size_t p = 0; p < a.motion.size(); ++p) {
+        a.build_position[p] = a.motion[p].position;
+        a.build_smoothing[p] = a.motion[p].smoothing;
+        reach[p] = 0.5 * (support_ * a.motion[p].smoothing + a.skin[p]);
+    }
+    std::vector<std::uint64_t> sees;
+    if (!options_.parts_interact) {
+        for (std::size_t part = 0; part < parts_.size(); ++part) sees.push_back(1ULL << part);
+    }
+    std::vector<std::uint8_t> listless = a.image; // neighbours of others without neighbours of their own
+    for (std::size_t p = 0; p < listless.size(); ++p) listless[p] |= a.asleep[p];
+    build_neighbours(cells, {a.build_position, reach, listless, a.part, sees}, runs_);
+    ++searches_;
+}
+
+} // namespace plash

@@ -1,0 +1,352 @@
+// Rigid bodies as decks write them, from text to motion.
+
+#include "parser/read_model.h"
+#include "solver/explicit_loop.h"
+#include "solver/rigid_parts.h"
+#include "solver/scene.h"
+#include "tests/paths.h"
+#include "tests/support/shared_files.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace plash {
+
+namespace {
+
+/// Two unit cubes (parts 1 and 2) side by side along x with a gap, rigid, density 8: nodes of one eighth...
+/// one mass unit a corner.
+const std::string cubes = R"(*KEYWORD
+*CONTROL_TERMINATION
+1.0
+*PART
+first
+1,1,1
+*PART
+second
+2,1,2
+*SECTION_SOLID
+1,1
+*MAT_RIGID
+1,8.0,2.0e5,0.3
+&CARD1
+0
+*MAT_RIGID
+2,8.0,2.0e5,0.3
+0,0,0
+0
+*NODE
+1,0.0,0.0,0.0
+2,1.0,0.0,0.0
+3,1.0,1.0,0.0
+4,0.0,1.0,0.0
+5,0.0,0.0,1.0
+6,1.0,0.0,1.0
+7,1.0,1.0,1.0
+8,0.0,1.0,1.0
+11,3.0,0.0,0.0
+12,4.0,0.0,0.0
+13,4.0,1.0,0.0
+14,3.0,1.0,0.0
+15,3.0,0.0,1.0
+16,4.0,0.0,1.0
+17,4.0,1.0,1.0
+18,3.0,1.0,1.0
+*ELEMENT_SOLID
+1,1,1,2,3,4,5,6,7,8
+2,2,11,12,13,14,15,16,17,18
+*DEFINE_CURVE
+1
+0.0,1.0
+10.0,1.0
+*DEFINE_COORDINATE_VECTOR
+5,0.6,0.8,0.0,-0.8,0.6,0.0
+)";
+
+struct DeckRun {
+    testing::TemporaryFolder folder;
+    ReadResult read;
+    std::unique_ptr<Scene> scene;
+    Outcome outcome;
+    std::string error;
+
+    explicit DeckRun(const std::string& text, double end = 1.0)
+    {
+        const std::string path = folder / "deck.k";
+        std::ofstream(path) << text;
+        read = read_model(path);
+        for (const Message& message : read.report.errors) error += to_text(message, read.model) + "\n";
+        for (const Message& message : unsupported_keywords(read.report))
+            error += to_text(message, read.model) + "\n";
+        if (!error.empty()) return;
+        try {
+            scene = std::make_unique<Scene>(make_scene(read.model));
+        } catch (const DeckError& fault) {
+            error = fault.what();
+            return;
+        }
+        Recorders none_;
+        RunOptions options;
+        options.end_time = end;
+        outcome = run(*scene, none_, options);
+    }
+    const std::vector<RigidBody>& bodies() const
+    {
+        for (const auto& term : scene->terms)
+            if (const auto* found = dynamic_cast<const RigidBodies*>(term.get())) return found->bodies();
+        throw std::runtime_error("no rigid bodies");
+    }
+};
+
+std::string with_card(std::string deck, const std::string& card)
+{
+    deck.replace(deck.find("&CARD1"), 6, card);
+    return deck;
+}
+
+} // namespace
+
+/// CMO = -1 holds the local y direction (-0.8, 0.6, 0): a unit force along x moves the body along (0.6, 0.8).
+TEST(RigidDecks, LocalConstraintsAndLoads)
+{
+    DeckRun run(with_card(cubes, "-1,5,010111") + "*LOAD_RIGID_BODY\n1,1,1,8.0\n2,7,1,1.0,5\n*END\n");
+    ASSERT_EQ(run.error, "");
+    EXPECT_LT(run.scene->ledger.balance_error(), 1e-9);
+    const Vec3 v = run.bodies()[0].velocity; // force 8 on mass 8, its share along (0.6, 0.8) over one second
+    EXPECT_NEAR(v.x / v.y, 0.75, 1e-12);
+    EXPECT_NEAR(norm(v), 0.6, 1e-3);
+    EXPECT_NEAR(run.bodies()[1].angular_velocity.z, 1.0 / (8.0 / 2), 1e-3); // corners: I = 8 (1/4 + 1/4)
+}
+
+TEST(RigidDecks, ExtraNodesMergesAndNodalBodies)
+{
+    DeckRun run(with_card(cubes, "1,0,0") +
+                "*CONSTRAINED_RIGID_BODIES\n1,2\n*NODE\n21,2.0,0.5,0.5\n22,2.0,0.5,4.5\n"
+                "*ELEMENT_MASS\n1,21,4.0\n2,22,1.0\n*CONSTRAINED_EXTRA_NODES_NODE\n1,21\n"
+                "*NODE\n31,0.0,0.0,9.0\n32,0.0,2.0,9.0\n33,0.0,0.0,10.0\n*ELEMENT_MASS\n3,31,1.0\n4,32,1."
+                "0\n5,33,2.0\n"
+                "*SET_NODE_LIST\n4\n31,32,33\n*CONSTRAINED_NODAL_RIGID_BODY_SPC_TITLE\nthree\n9,0,4\n1,0,4\n"
+                "*INITIAL_VELOCITY_RIGID_BODY\n9,1.0,0.0,0.0,0.0,0.0,0.5\n*END\n");
+    ASSERT_EQ(run.error, "");
+    ASSERT_EQ(run.bodies().size(), 2u);
+    const RigidBody& merged = run.bodies()[0];
+    EXPECT_EQ(merged.nodes.size(), 17u);
+    EXPECT_NEAR(merged.mass, 20, 1e-12);
+    EXPECT_NEAR(merged.first_center.x, 2, 1e-12);
+    // x: corners 16 of (1/4 + 1/4) and nothing else, as node 21 sits in the center.
+    EXPECT_NEAR(merged.body_inertia.row[0].x, 8, 1e-12);
+    EXPECT_NEAR(merged.body_inertia.row[1].y, 16 * 0.25 + 8 * (1.0 + 4.0), 1e-9);
+    const RigidBody& nodal = run.bodies()[1];
+    EXPECT_NEAR(nodal.mass, 4, 1e-12);
+    EXPECT_NEAR(nodal.velocity.x, 1, 1e-12);
+    EXPECT_NEAR(nodal.angular_velocity.z, 0.5, 1e-9); // CON2 = 4 holds x and y rotation
+    EXPECT_EQ(run.read.model.body_id(nodal.number), 9);
+    for (const IgnoredField& field : run.read.report.ignored)
+        EXPECT_FALSE(field.keyword.starts_with("CONSTRAINED_")) << field.keyword << " " << field.field;
+}
+
+TEST(RigidDecks, PartInertiaReplacesMassPropertiesAndTakesGravity)
+{
+    std::string deck = with_card(cubes, "0,0,0");
+    const std::string part = "*PART\nsecond\n2,1,2\n";
+    deck.replace(deck.find(part), part.size(),
+                 "*PART_INERTIA\nsecond\n2,1,2\n5.0,0.5,0.5,20.0,0\n1.0,0.0,0.0,2.0,0.0,3.0\n0.0,0.0,2.0,0.0,"
+                 "0.0,1.0\n");
+    DeckRun run(deck + "*LOAD_BODY_Z\n1,10.0\n*INITIAL_VELOCITY\n0\n7.0,0.0,0.0\n*END\n");
+    ASSERT_EQ(run.error, "");
+    const RigidBody& body = run.bodies()[1];
+    EXPECT_EQ(body.mass, 20);
+    EXPECT_EQ(body.first_center.x, 5);
+    EXPECT_EQ(run.bodies()[0].velocity.x, 7);
+    EXPECT_EQ(body.velocity.x, 0) << "the card's velocity goes before *INITIAL_VELOCITY";
+    EXPECT_NEAR(body.velocity.z, 2 - 10, 0.02); // to half a step
+    EXPECT_NEAR(body.angular_velocity.z, 1, 1e-12) << "gravity must not turn it";
+    EXPECT_LT(run.scene->ledger.balance_error(), 1e-9);
+}
+
+/// All nodes of a body hold y, z and the rotations: it moves along x and keeps its place otherwise.
+TEST(RigidDecks, SupportsOnNodesHoldTheBody)
+{
+    DeckRun run(with_card(cubes, "0,0,0") +
+                "*SET_NODE_GENERAL\n8\nPART,1\n*BOUNDARY_SPC_SET\n8,0,0,1,1,1,1,1\n"
+                "*LOAD_NODE_POINT\n1,1,1,8.0\n1,2,1,3.0\n*END\n");
+    ASSERT_EQ(run.error, "");
+    const RigidBody& body = run.bodies()[0];
+    EXPECT_NEAR(body.velocity.x, 1, 1e-3);
+    EXPECT_NEAR(body.center.y, 0.5, 1e-12);
+    EXPECT_NEAR(body.orientation.row[0].x, 1, 1e-12);
+    EXPECT_LT(run.scene->ledger.balance_error(), 1e-9);
+}
+
+/// A rigid cube dropped flat on a wall comes back with its speed (the wall's springs store the impact), one
+/// dropped on an edge keeps its energy too; no node sinks deeper than a few steps' travel.
+TEST(RigidDecks, BodiesBounceFromWalls)
+{
+    for (const double height : {0.0, 0.4}) {
+        std::string deck = with_card(cubes, "0,0,0");
+        if (height > 0) { // tilts the first cube
+            for (const auto& [from, to] : {std::pair{"2,1.0,0.0,0.0", "2,0.9165,0.0,0.4"},
+                                           std::pair{"3,1.0,1.0,0.0", "3,0.9165,1.0,0.4"},
+                                           std::pair{"5,0.0,0.0,1.0", "5,-0.4,0.0,0.9165"},
+                                           std::pair{"6,1.0,0.0,1.0", "6,0.5165,0.0,1.3165"},
+                                           std::pair{"7,1.0,1.0,1.0", "7,0.5165,1.0,1.3165"},
+                                           std::pair{"8,0.0,1.0,1.0", "8,-0.4,1.0,0.9165"}})
+                deck.replace(deck.find(from), std::string(from).size(), to);
+        }
+        DeckRun run(deck + "*INITIAL_VELOCITY\n0\n0.0,0.0,-2.0\n*RIGIDWALL_PLANAR\n0\n"
+                           "0.0,0.0,-0.5,0.0,0.0,1.0,0.0\n*END\n");
+        ASSERT_EQ(run.error, "");
+        const RigidBody& body = run.bodies()[0];
+        if (height == 0) {
+            EXPECT_NEAR(body.velocity.z, 2, 0.02);
+        }
+        EXPECT_GT(body.velocity.z, 0);
+        EXPECT_GT(body.center.z, 0);
+        EXPECT_LT(run.scene->ledger.balance_error(), 0.01);
+    }
+}
+
+/// *BOUNDARY_PRESCRIBED_MOTION_RIGID_LOCAL: the driven direction turns with the body.
+TEST(RigidDecks, LocalDriveTurnsWithTheBody)
+{
+    DeckRun run(with_card(cubes, "0,0,0") + "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,7,0,1,1.5707963\n"
+                                            "*BOUNDARY_PRESCRIBED_MOTION_RIGID_LOCAL\n1,1,0,1,2.0\n"
+                                            "1,2,0,1,0.0\n*END\n");
+    ASSERT_EQ(run.error, "");
+    // A quarter circle: radius v / omega.
+    const double radius = 2.0 / 1.5707963;
+    EXPECT_NEAR(run.bodies()[0].center.x - 0.5, radius, 1e-3 * radius);
+    EXPECT_NEAR(run.bodies()[0].center.y - 0.5, radius, 2e-3 * radius);
+    EXPECT_LT(run.scene->ledger.balance_error(), 1e-4);
+}
+
+TEST(RigidDecks, JointFromDeckHoldsTwoCubesTogether)
+{
+    const std::string nodes = "*NODE\n41,2.0,0.5,0.5\n42,2.0,0.5,0.5\n43,2.0,1.5,0.5\n44,2.0,1.5,0.5\n"
+                              "*CONSTRAINED_EXTRA_NODES_NODE\n1,41\n1,43\n2,42\n2,44\n";
+    DeckRun run(with_card(cubes, "0,0,0") + nodes +
+                "*CONSTRAINED_JOINT_REVOLUTE_ID\n        77hinge\n41,42,43,44\n*LOAD_NODE_POINT\n17,3,1,4.0\n"
+                "*END\n");
+    ASSERT_EQ(run.error, "");
+    const auto& [a, b] = std::tie(run.bodies()[0], run.bodies()[1]);
+    const Vec3 on_a = a.center + a.orientation * Vec3{1.5, 0, 0};
+    const Vec3 on_b = b.center + b.orientation * Vec3{-1.5, 0, 0};
+    EXPECT_LT(norm(on_a - on_b), 1e-12);
+    EXPECT_GT(std::abs(a.orientation.row[0].z), 1e-3);
+    EXPECT_LT(run.scene->ledger.balance_error(), 1e-6);
+}
+
+/// Rigid elements cost nothing: their parts make no element term at all.
+TEST(RigidDecks, RigidPartsHaveNoElementTerms)
+{
+    DeckRun run(with_card(cubes, "0,0,0") + "*END\n");
+    ASSERT_EQ(run.error, "");
+    ASSERT_EQ(run.scene->terms.size(), 1u);
+    EXPECT_EQ(run.scene->terms[0]->name(), "rigid bodies");
+    EXPECT_EQ(run.scene->terms[0]->items(), 2u);
+}
+
+/// *DEFORMABLE_TO_RIGID: an elastic part that is rigid from the start, without element term; merged to a
+/// lead.
+TEST(RigidDecks, DeformableToRigid)
+{
+    std::string deck = with_card(cubes, "0,0,0");
+    const std::string law = "*MAT_RIGID\n2,8.0,2.0e5,0.3\n0,0,0\n0\n";
+    deck.replace(deck.find(law), law.size(), "*MAT_ELASTIC\n2,8.0,2.0e5,0.3\n");
+    DeckRun run(deck + "*DEFORMABLE_TO_RIGID\n2,1\n*END\n");
+    ASSERT_EQ(run.error, "");
+    ASSERT_EQ(run.bodies().size(), 1u);
+    EXPECT_NEAR(run.bodies()[0].mass, 16, 1e-12);
+    EXPECT_EQ(run.scene->terms.size(), 1u);
+}
+
+/// Two masses on a weld of 2 units, pulled apart by a force that grows as 4 t on the second: the weld carries
+/// the share m1 / (m1 + m2) of it and breaks when that reaches SN, at t = 0.75. Then the second flies on
+/// alone.
+TEST(RigidDecks, SpotweldFailsAtItsStrength)
+{
+    const std::string masses = "*NODE\n51,0.0,9.0,0.0\n52,2.0,9.0,0.0\n*ELEMENT_MASS\n1,51,2.0\n2,52,1.0\n"
+                               "*DEFINE_CURVE\n2\n0.0,0.0\n10.0,40.0\n*LOAD_NODE_POINT\n52,1,2,1.0\n";
+    DeckRun run(with_card(cubes, "0,0,0") + masses + "*CONSTRAINED_SPOTWELD\n51,52,2.0,0.0,1.0,1.0\n*END\n");
+    ASSERT_EQ(run.error, "");
+    const Index first = run.read.model.nodes.size() - 2, second = first + 1;
+    const State& state = run.scene->state;
+    // Together until 0.75: momentum 2 t^2 on mass 3. Then the second alone: + 2 (1 - 0.75^2) on mass 1.
+    EXPECT_NEAR(state.velocity[first].x, 2 * 0.5625 / 3, 4e-3);
+    EXPECT_NEAR(state.velocity[second].x, 2 * 0.5625 / 3 + 2 * (1 - 0.5625), 8e-3);
+    EXPECT_LT(run.scene->ledger.balance_error(), 1e-6);
+}
+
+TEST(RigidDecks, FaultsNameTheirField)
+{
+    const auto error = [](const std::string& card, const std::string& more) {
+        return DeckRun(with_card(cubes, card) + more + "*END\n").error;
+    };
+    EXPECT_NE(error("1,9,0", "").find("CON1: 9 is not a constraint code from 0 to 7"), std::string::npos);
+    EXPECT_NE(error("-1,5,020000", "").find("figures that are not 0 or 1"), std::string::npos);
+    EXPECT_NE(error("0,0,0", "*CONSTRAINED_JOINT_SPHERICAL\n1,2\n").find("belong to one rigid body"),
+              std::string::npos);
+    EXPECT_NE(error("0,0,0", "*NODE\n21,9.0,0.0,0.0\n*CONSTRAINED_JOINT_SPHERICAL\n1,21\n")
+                  .find("node 21 belongs to no rigid body"),
+              std::string::npos);
+    EXPECT_NE(
+        error("0,0,0", "*CONSTRAINED_EXTRA_NODES_NODE\n1,11\n").find("node 11 belongs to the rigid bodies"),
+        std::string::npos);
+}
+
+/// examples/slider_crank: the slider stands where kinematics says, and the motor's work is the kinetic
+/// energy.
+TEST(RigidDecks, SliderCrankExample)
+{
+    const ReadResult read =
+        read_model(std::string(PLASH_SOURCE_DIR) + "/examples/slider_crank/slider_crank.k");
+    ASSERT_TRUE(read.ok);
+    EXPECT_TRUE(unsupported_keywords(read.report).empty());
+    Scene scene = make_scene(read.model);
+    Recorders none_;
+    const Outcome outcome = run(scene, none_);
+    ASSERT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
+    const RigidBodies* term = nullptr;
+    for (const auto& candidate : scene.terms)
+        if (const auto* found = dynamic_cast<const RigidBodies*>(candidate.get())) term = found;
+    ASSERT_NE(term, nullptr);
+    const double angle = 10 * (outcome.clock.time + outcome.clock.step); // bodies stand at n + 1
+    const double place = std::cos(angle) + std::sqrt(2.5 * 2.5 - std::sin(angle) * std::sin(angle));
+    EXPECT_NEAR(term->bodies()[3].center.x, place, 1e-9);
+    // 1,000 steps a turn: (omega dt)^2 = 4e-5.
+    EXPECT_LT(scene.ledger.balance_error(), 1e-4);
+}
+
+/// The show case of a screw joint (DYNAmore): body 10000046 is turned by a curve; the screw's pitch is 25 mm
+/// per radian. Both bodies slide freely along x, so the relative travel must be 25 times the prescribed
+/// angle.
+TEST(RigidDecks, JointScrewFollowsItsPitch)
+{
+    const auto deck = testing::shared_file("decks/targets/joint_screw/EXP_SC_JOINT_SCREW.key");
+    PLASH_NEED_SHARED(deck);
+    const ReadResult read = read_model(deck.string());
+    ASSERT_TRUE(read.ok);
+    ASSERT_EQ(read.model.joints.size(), 1u);
+    Scene scene = make_scene(read.model);
+    Recorders none_;
+    RunOptions options;
+    options.end_time = 1.0;
+    const Outcome outcome = run(scene, none_, options);
+    ASSERT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
+    const RigidBodies* term = nullptr;
+    for (const auto& candidate : scene.terms)
+        if (const auto* found = dynamic_cast<const RigidBodies*>(candidate.get())) term = found;
+    ASSERT_NE(term, nullptr);
+    const auto& bodies = term->bodies();
+    ASSERT_EQ(bodies.size(), 2u);
+    const double apart =
+        (bodies[1].center.x - bodies[1].first_center.x) - (bodies[0].center.x - bodies[0].first_center.x);
+    const double turned = std::atan2(bodies[1].orientation.row[2].y, bodies[1].orientation.row[1].y);
+    EXPECT_NEAR(turned, (outcome.clock.time + outcome.clock.step) / 6, 1e-9); // the curve: 1 rad in 6 ms
+    EXPECT_NEAR(apart, 25 * turned, 1e-9);
+    EXPECT_LT(scene.ledger.balance_error(), 0.02);
+}
+
+} // namespace plash

@@ -1,0 +1,232 @@
+#include "ale/hydrostatic.h"
+#include "tests/support/ale_deck.h"
+#include "tests/support/ale_samples.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+namespace plash {
+
+namespace {
+
+using testing::EulerianRun;
+
+constexpr double pi = 3.14159265358979323846;
+
+/// The same box of cells as nodes and elements in a shuffled order, some elements turned about.
+std::string shuffled_mesh(std::array<double, 3> high, std::array<int, 3> cells)
+{
+    const auto number = [&](int i, int j, int k) {
+        return 1 + i + (cells[0] + 1) * (j + (cells[1] + 1) * k);
+    };
+    std::vector<std::string> nodes, elements;
+    for (int k = 0; k <= cells[2]; ++k)
+        for (int j = 0; j <= cells[1]; ++j)
+            for (int i = 0; i <= cells[0]; ++i) {
+                nodes.push_back(fmt::format("{},{:.17g},{:.17g},{:.17g}\n", number(i, j, k),
+                                            high[0] * i / cells[0], high[1] * j / cells[1],
+                                            high[2] * k / cells[2]));
+                if (i == cells[0] || j == cells[1] || k == cells[2]) continue;
+                const int n[8] = {number(i, j, k),
+                                  number(i + 1, j, k),
+                                  number(i + 1, j + 1, k),
+                                  number(i, j + 1, k),
+                                  number(i, j, k + 1),
+                                  number(i + 1, j, k + 1),
+                                  number(i + 1, j + 1, k + 1),
+                                  number(i, j + 1, k + 1)};
+                std::string line = fmt::format("{},10", elements.size() + 1);
+                const int turn = i % 4; // about the vertical axis
+                for (int corner = 0; corner < 8; ++corner)
+                    line += fmt::format(",{}", n[(corner % 4 + turn) % 4 + corner / 4 * 4]);
+                elements.push_back(line + "\n");
+            }
+    std::mt19937 random(7);
+    std::shuffle(nodes.begin(), nodes.end(), random);
+    std::shuffle(elements.begin(), elements.end(), random);
+    std::string text = "*PART\nmesh\n10,10,1\n*SECTION_SOLID\n10,11\n*NODE\n";
+    for (const std::string& line : nodes) text += line;
+    text += "*ELEMENT_SOLID\n";
+    for (const std::string& line : elements) text += line;
+    return text;
+}
+
+/// A column of water 0.16 x 0.04 x 0.24 in a tank 0.48 x 0.04 x 0.32.
+std::string dam(const std::string& mesh, double end_time)
+{
+    return mesh + testing::liquid_and_void(1000, 60) + testing::liquid_in_box({0, 0, 0}, {0.16, 0.04, 0.24}) +
+           testing::gravity(9.81) + testing::closed(end_time);
+}
+
+} // namespace
+
+TEST(AleDeck, ShuffledHexahedraRunAsTheStructuredMeshThatTheyAre)
+{
+    EulerianRun structured(dam(testing::structured_mesh({0, 0, 0}, {0.48, 0.04, 0.32}, {24, 2, 16}), 0.02));
+    EulerianRun shuffled(dam(shuffled_mesh({0.48, 0.04, 0.32}, {24, 2, 16}), 0.02));
+    structured.run();
+    shuffled.run();
+    const BoxFluid &a = structured.term<EulerianFluid>().fluid(), &b = shuffled.term<EulerianFluid>().fluid();
+    // The decks' coordinates agree to their printed digits only; a surface between cells carries that on.
+    EXPECT_NEAR(a.energies().kinetic, b.energies().kinetic, 1e-6 * a.energies().kinetic);
+    ASSERT_EQ(a.fields.groups[0].fraction.size(), b.fields.groups[0].fraction.size());
+    for (std::size_t i = 0; i < a.fields.groups[0].fraction.size(); ++i)
+        EXPECT_NEAR(a.fields.groups[0].fraction[i], b.fields.groups[0].fraction[i], 1e-6) << i;
+}
+
+// Mass stays to round-off, and the ledger closes: what the remap takes of the motion is booked. What the
+// motion itself loses in 0.15 s of a dam break on a mesh of eight cells across the column stays below 1 % of
+// the work of gravity (measured 0.3 %).
+TEST(AleDeck, DamBreaksInBalance)
+{
+    EulerianRun dam_break(dam(testing::structured_mesh({0, 0, 0}, {0.48, 0.04, 0.32}, {24, 2, 16}), 0.15));
+    const BoxFluid& fluid = dam_break.term<EulerianFluid>().fluid();
+    const double mass = fluid.total_mass(0);
+    EXPECT_NEAR(mass, 1000 * 0.16 * 0.04 * 0.24, 1e-12);
+    dam_break.run();
+    EXPECT_NEAR(fluid.total_mass(0), mass, 1e-12 * mass);
+    const EnergyLedger& ledger = dam_break.scene().ledger;
+    EXPECT_GT(ledger.external_work, 0.1);
+    EXPECT_LT(ledger.balance_error(), 1e-6);
+    EXPECT_LT(ledger.advection_loss, 0.01 * ledger.external_work);
+    // Momentum along x is what the pressure on the left wall has given; the front moves at about 2 sqrt(g h).
+    EXPECT_GT(fluid.momentum()[0], 0.5);
+}
+
+// Volumes of a sphere, a cone and a half space cut by cells of 1/20: pieces of 1/160 with planes in them err
+// by (piece / radius)^2 of the volume or less; planes are exact.
+TEST(AleDeck, ContainersFillTheirVolumes)
+{
+    const std::string mesh = testing::structured_mesh({0, 0, 0}, {1, 1, 1}, {20, 20, 20});
+    const auto filled = [&](const std::string& containers) {
+        EulerianRun run(mesh + testing::liquid_and_void(1000, 100) +
+                        "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n" + containers + testing::closed(0));
+        return testing::liquid_volume(run.term<EulerianFluid>().fluid());
+    };
+    const double ball = 4 * pi / 3 * 0.027;
+    EXPECT_NEAR(filled("6,0,1\n0.51,0.47,0.49,0.3\n"), ball, 1e-3 * ball);
+    EXPECT_NEAR(filled("6,1,1\n0.51,0.47,0.49,0.3\n"), 1 - ball, 1e-3 * ball);
+    const double cone = pi / 3 * 0.6 * (0.04 + 0.02 + 0.01);
+    EXPECT_NEAR(filled("4,0,1\n0.5,0.5,0.2,0.5,0.5,0.8,0.2,0.1\n"), cone, 1e-3 * cone);
+    EXPECT_NEAR(filled("3,0,1\n0.5,0.5,0.43,0.3,0.2,-1\n"), 0.43, 1e-12);
+    // A shell of liquid: the outer ball filled, the inner one emptied again.
+    EXPECT_NEAR(filled("6,0,1\n0.5,0.5,0.5,0.4\n6,0,2\n0.5,0.5,0.5,0.2\n"), 4 * pi / 3 * (0.064 - 0.008),
+                1e-3 * 4 * pi / 3 * 0.064);
+    EXPECT_NEAR(filled("5,0,1\n0.11,0.22,0.33,0.77,0.83,0.94\n"), 0.66 * 0.61 * 0.61, 1e-12);
+}
+
+TEST(AleDeck, ControlPointsGradeTheMesh)
+{
+    std::string text = "*ALE_STRUCTURED_MESH\n1,10,100,500\n1,2,3\n"
+                       "*ALE_STRUCTURED_MESH_CONTROL_POINTS\n1\n1,0,0.5\n5,1,-0.25\n9,2\n";
+    for (int axis = 2; axis <= 3; ++axis)
+        text += fmt::format("*ALE_STRUCTURED_MESH_CONTROL_POINTS\n{}\n1,0\n2,1\n", axis);
+    EulerianRun run(text + testing::liquid_and_void(1000, 100) +
+                    testing::liquid_in_box({0, 0, 0}, {1, 1, 1}) + testing::closed(0));
+    const std::vector<double>& x = run.term<EulerianFluid>().fluid().grid.planes(0);
+    ASSERT_EQ(x.size(), 9u);
+    EXPECT_NEAR((x[2] - x[1]) / (x[1] - x[0]), 1.5, 1e-12);
+    EXPECT_NEAR((x[3] - x[2]) / (x[2] - x[1]), 1.5, 1e-12);
+    EXPECT_DOUBLE_EQ(x[4], 1);
+    EXPECT_NEAR((x[6] - x[5]) / (x[5] - x[4]), 1 / 1.25, 1e-12);
+    EXPECT_EQ(run.model().nodes.id.front(), 100);
+    EXPECT_EQ(run.model().solids.id.front(), 500);
+}
+
+// A lid that drives a box of fluid: nodes of the mesh follow *BOUNDARY_PRESCRIBED_MOTION, the mesh stays.
+TEST(AleDeck, DrivenNodesMoveTheFluidAndNotTheMesh)
+{
+    const std::string lid = "*DEFINE_CURVE\n2\n0,1\n1e9,1\n*DEFINE_BOX\n1,-1,2,-1,2,0.999,1.001\n"
+                            "*SET_NODE_GENERAL\n1\nBOX,1\n*BOUNDARY_PRESCRIBED_MOTION_SET\n1,1,0,2\n";
+    EulerianRun run(testing::structured_mesh({0, 0, 0}, {1, 0.1, 1}, {8, 1, 8}) +
+                    "*ALE_MULTI-MATERIAL_GROUP\n1,1\n*PART\nliquid\n1,1,1,1\n*SECTION_SOLID\n1,11\n"
+                    "*MAT_NULL\n1,1,-1e9,0.01\n*EOS_LINEAR_POLYNOMIAL\n1,0,100\n\n" +
+                    lid + testing::closed(0.2));
+    run.run();
+    const BoxFluid& fluid = run.term<EulerianFluid>().fluid();
+    EXPECT_DOUBLE_EQ(fluid.fields.velocity[0][fluid.grid.at(4, 0, 8)], 1);
+    EXPECT_GT(fluid.fields.velocity[0][fluid.grid.at(4, 0, 7)], 0.05);
+    EXPECT_LT(fluid.fields.velocity[0][fluid.grid.at(4, 0, 7)], 0.9);
+    const std::size_t nodes = run.model().nodes.size();
+    for (std::size_t node = 0; node < nodes; ++node)
+        EXPECT_EQ(norm(run.scene().state.position[node] - run.model().nodes.position[node]), 0);
+    EXPECT_LT(run.scene().ledger.balance_error(), 1e-6);
+}
+
+// A blob of liquid flies through empty space: seen from a mesh that flies along with it (PRTYPE 4) it stands
+// still, so nothing is smeared and all its energy stays.
+// Open: with PRTYPE 4 the mesh lags behind the fluid, and 3e-5 of the mass leaves it.
+TEST(AleDeck, DISABLED_MeshFollowsTheMass)
+{
+    EulerianRun run(testing::structured_mesh({0, 0, 0}, {1, 1, 1}, {10, 10, 10}) +
+                    testing::liquid_and_void(1000, 100) +
+                    "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n6,0,1,50,20,-10\n0.5,0.5,0.5,0.3\n"
+                    "*ALE_REFERENCE_SYSTEM_GROUP\n10,1,4,0,3,7\n"
+                    "*CONTROL_ALE\n-1,1,2,-1\n*CONTROL_TERMINATION\n0.02\n*CONTROL_TIMESTEP\n0,0.5\n*END\n");
+    const BoxFluid& fluid = run.term<EulerianFluid>().fluid();
+    const double mass = fluid.total_mass(0);
+    run.run();
+    EXPECT_NEAR(fluid.total_mass(0), mass, 1e-12 * mass);
+    const double end = run.scene().ledger.external_work; // nothing works on it
+    EXPECT_NEAR(end, 0, 1e-9 * mass);
+    const double reached = fluid.grid.planes(0).front() / 50, other = fluid.grid.planes(1).front() / 20;
+    EXPECT_NEAR(reached, 0.02, 1e-4);
+    EXPECT_NEAR(other, 0.02, 1e-4);
+    EXPECT_EQ(fluid.grid.planes(2).front(), 0); // BCTRAN holds z
+    // Its middle in the mesh: still at 0.5 along x and y, fallen by 0.2 along z.
+    Vec3 middle{};
+    for (int k = 0; k < 10; ++k)
+        for (int j = 0; j < 10; ++j)
+            for (int i = 0; i < 10; ++i)
+                middle += (fluid.fields.groups[0].mass[fluid.grid.at(i, j, k)] / mass) *
+                          Vec3{(i + 0.5) / 10, (j + 0.5) / 10, (k + 0.5) / 10};
+    EXPECT_NEAR(middle.x, 0.5, 1e-3);
+    EXPECT_NEAR(middle.y, 0.5, 1e-3);
+    EXPECT_NEAR(middle.z, 0.3, 1e-3);
+    EXPECT_LT(run.scene().ledger.balance_error(), 1e-9);
+}
+
+// Gruneisen water 10 m deep with its surface anywhere in a cell: nothing accelerates at the start (below 1e-4
+// g), and nothing moves. The column's pressure solves dp/ds = rho(p) g, for pressure linear in density p = K
+// (exp(rho0 g s / K)
+// - 1).
+TEST(AleDeck, HydrostaticStartIsAtRest)
+{
+    FluidGroup water = linear_liquid(1000, 1000);
+    const auto density = [&](double pressure, double) { return density_at_pressure(water, pressure, 0); };
+    const double stiffness = 1e9, weight = 1000 * 9.81;
+    const std::vector<double> column = pressures_below(0, density, 9.81, {1, 10, 1000});
+    for (const auto& [depth, at] : {std::pair(1.0, 0), std::pair(10.0, 1), std::pair(1000.0, 2)})
+        EXPECT_NEAR(column[at], stiffness * std::expm1(weight * depth / stiffness), 1e-8 * weight * depth);
+
+    for (const double level : {10.0, 10.3, 10.45}) {
+        EulerianRun run(
+            testing::structured_mesh({0, 0, 0}, {1, 1, 12}, {2, 2, 24}) +
+            "*ALE_MULTI-MATERIAL_GROUP\n1,1\n2,1\n*PART\nwater\n1,1,1,1\n*PART\nempty\n2,1,2\n"
+            "*SECTION_SOLID\n1,11\n*MAT_NULL\n1,998,-1e5\n*EOS_GRUNEISEN\n1,1480,1.979,,,0.11,3,0\n1\n"
+            "*MAT_VACUUM\n2,0\n" +
+            testing::liquid_in_box({0, 0, 0}, {1, 1, level}) +
+            fmt::format("*NODE\n90000,0,0,{}\n*DEFINE_VECTOR\n5,0,0,0,0,0,-1\n"
+                        "*INITIAL_HYDROSTATIC_ALE\n10,1,5,9.81\n90000,1\n",
+                        level) +
+            testing::gravity(9.81) + testing::closed(0.05));
+        BoxFluid& fluid = run.term<EulerianFluid>().fluid();
+        const auto fastest = [&] {
+            double largest = 0;
+            for (const auto& component : fluid.fields.velocity)
+                for (double v : component) largest = std::max(largest, std::abs(v));
+            return largest;
+        };
+        double acceleration = 0;
+        run.run([&](const Clock& clock, const State&) {
+            if (clock.cycle == 1) acceleration = fastest() / clock.last_step;
+        });
+        EXPECT_LT(acceleration, 1e-4 * 9.81) << level;
+        EXPECT_LT(fastest(), 1e-4) << level;
+    }
+}
+
+} // namespace plash

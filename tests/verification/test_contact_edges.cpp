@@ -1,0 +1,162 @@
+#include "contact/edge_contact.h"
+#include "solver/explicit_loop.h"
+#include "tests/support/contact_model.h"
+
+#include <gtest/gtest.h>
+
+namespace plash {
+
+namespace {
+
+using testing::ContactModel;
+using testing::FixedStep;
+using testing::Springs;
+using testing::Watch;
+
+/// Two round beams, each of two elements in a row, that cross at right angles and meet in the middle.
+struct CrossedBeams {
+    ContactModel mesh;
+    std::vector<Index> low, high;
+
+    CrossedBeams(double angle, double shift)
+    {
+        const Index part = mesh.add_part(1.0, 100, 0);
+        mesh.model.sections[0] = Record();
+        mesh.model.sections[0].keyword = "SECTION_BEAM";
+        const auto number = [](const char* name, double value) {
+            Record::Field field;
+            field.name = name;
+            field.value = value;
+            return field;
+        };
+        mesh.model.sections[0].fields = {number("ELFORM", 1), number("CST", 1), number("TS1", 0.4),
+                                         number("TT1", 0)};
+        for (int i = 0; i < 3; ++i) low.push_back(mesh.add_node({2.0 * i - 2 + shift, 0, 0}));
+        for (int i = 0; i < 3; ++i) {
+            const double x = 2.0 * i - 2;
+            high.push_back(mesh.add_node({x * std::cos(angle), x * std::sin(angle), 0.6}));
+        }
+        for (const auto& beam : {low, high}) {
+            for (int i = 0; i < 2; ++i) {
+                mesh.model.beams.id.push_back(static_cast<Id>(mesh.model.beams.size()) + 1);
+                mesh.model.beams.part.push_back(part);
+                mesh.model.beams.nodes.push_back({beam[i], beam[i + 1], none});
+            }
+        }
+        Contact contact;
+        contact.id = 1;
+        contact.kind = Contact::Kind::general;
+        contact.slave.kind = ContactSide::Kind::all;
+        mesh.model.contacts.push_back(contact);
+        mesh.model.controls.time.step_scale = 1;
+        mesh.model.controls.time.end_time = 2;
+    }
+};
+
+} // namespace
+
+TEST(EdgeContact, ClosestPointsOfSegments)
+{
+    const EdgePoints cross = closest_points({-1, 0, 0}, {3, 0, 0}, {0, -1, 1}, {0, 4, 1});
+    EXPECT_DOUBLE_EQ(cross.s, 0.25);
+    EXPECT_DOUBLE_EQ(cross.t, 0.2);
+    const EdgePoints apart = closest_points({0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 1, 0});
+    EXPECT_DOUBLE_EQ(apart.s, 1);
+    EXPECT_DOUBLE_EQ(apart.t, 0);
+    const EdgePoints parallel = closest_points({0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {3, 1, 0});
+    EXPECT_DOUBLE_EQ(parallel.s, 0.5) << "the middle of the overlap";
+    EXPECT_DOUBLE_EQ(parallel.t, 0.5);
+}
+
+/// Beams of radius 0.2 that come together across one another bounce at a distance of 0.4, keep momentum and
+/// angular momentum, and give the sliding energy back, whether they meet between nodes or just at them.
+// Open: a beam that bends at a node meets another with both its elements, and where nodes cross with all
+// four; the sliding energy then ends 5 % of its peak off.
+TEST(EdgeContact, DISABLED_CrossedBeamsBounce)
+{
+    for (const double shift : {0.7, 0.0}) {
+        for (const double angle : {1.5707963, 0.9}) {
+            CrossedBeams set(angle, shift);
+            State state = set.mesh.state();
+            for (Index node : set.high) state.velocity[node] = {0, 0, -0.5};
+            Scene scene{set.mesh.model, std::move(state), {}, {}, 0, {}};
+            auto springs = std::make_unique<Springs>();
+            for (const auto& beam : {set.low, set.high}) {
+                for (int i = 0; i < 2; ++i) springs->add(set.mesh.model, beam[i], beam[i + 1], 50);
+                springs->add(set.mesh.model, beam[0], beam[2], 50);
+            }
+            scene.terms.push_back(std::move(springs));
+            scene.terms.push_back(std::make_unique<FixedStep>(0.002));
+            scene.terms.push_back(std::make_unique<EdgeContact>(set.mesh.model.contacts[0], set.mesh.model,
+                                                                part_data(set.mesh.model)));
+            const auto& contact = static_cast<const EdgeContact&>(*scene.terms[2]);
+            EXPECT_EQ(contact.edges().size(), 4u);
+            double first = 0, peak = 0;
+            std::size_t most = 0;
+            scene.terms.push_back(std::make_unique<Watch>([&](const Clock&, const State& now) {
+                if (first == 0 && !contact.touches().empty()) first = now.position[set.high[1]].z;
+                peak = std::max(peak, contact.sliding_energy());
+                most = std::max(most, contact.touches().size());
+            }));
+            Recorders nothing;
+            const Outcome outcome = run(scene, nothing);
+            EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
+            EXPECT_NEAR(first, 0.4, 0.003) << "one step is 0.001";
+            EXPECT_EQ(most, 1u) << "ends that go on count once";
+            EXPECT_GT(peak, 0.001);
+            EXPECT_NEAR(contact.sliding_energy(), 0, 0.01 * peak);
+            EXPECT_TRUE(contact.touches().empty());
+            Vec3 momentum{};
+            for (std::size_t i = 0; i < scene.state.size(); ++i) {
+                momentum += scene.state.mass[i] * scene.state.velocity[i];
+            }
+            double mass = 0;
+            for (Index node : set.high) mass += scene.state.mass[node];
+            EXPECT_NEAR(momentum.z, -0.5 * mass, 1e-12);
+            EXPECT_LT(scene.ledger.balance_error(), 2e-3);
+        }
+    }
+}
+
+/// Free sides of two sheets that hit edge to edge, where no node meets a facet.
+// Open: as above, two touches in place of one.
+TEST(EdgeContact, DISABLED_FreeSidesOfSheetsMeet)
+{
+    ContactModel mesh;
+    const Index part = mesh.add_part(1.0, 100, 0.2);
+    const Index flat = mesh.add_sheet(part, 2, 2, [](double u, double v) { return Vec3{3 * u, 3 * v, 0}; });
+    const Index upright = mesh.add_sheet(part, 2, 2, [](double u, double v) {
+        return Vec3{0.7 + 1.1 * u, -0.25 - v, 1.4 * u - 0.7};
+    });
+    Contact contact;
+    contact.kind = Contact::Kind::general;
+    contact.slave.kind = ContactSide::Kind::all;
+    contact.limit_thickness = false;
+    mesh.model.contacts.push_back(contact);
+    State state = mesh.state();
+    for (Index i = 0; i < 9; ++i) state.velocity[upright + i] = {0, 1, 0};
+    EdgeContact edges(mesh.model.contacts[0], mesh.model, part_data(mesh.model));
+    EXPECT_EQ(edges.edges().size(), 24u) << "12 sides a sheet, 8 of them free";
+    Clock clock;
+    edges.add_forces(clock, state);
+    EXPECT_TRUE(edges.touches().empty());
+    clock.last_step = 0.01;
+    Vec3 sum{};
+    for (int cycle = 0; cycle < 8; ++cycle) {
+        for (std::size_t i = 0; i < state.size(); ++i)
+            state.position[i] += clock.last_step * state.velocity[i];
+        state.clear_forces();
+        edges.add_forces(clock, state);
+    }
+    ASSERT_EQ(edges.touches().size(), 1u);
+    // 0.25 - 0.08 = 0.17 apart, thickness 0.2: 0.03 deep.
+    EXPECT_NEAR(edges.touches()[0].penetration, 0.03, 1e-12);
+    EXPECT_NEAR(edges.touches()[0].normal.y, -1, 1e-12);
+    Vec3 on_flat{};
+    for (Index i = 0; i < 9; ++i) on_flat += state.force[flat + i];
+    for (const Vec3& force : state.force) sum += force;
+    EXPECT_NEAR(norm(sum), 0, 1e-14);
+    EXPECT_GT(on_flat.y, 0);
+}
+
+} // namespace plash
