@@ -107,7 +107,7 @@ struct ParticleWorld {
     {
         auto term = make_body();
         body = term.get();
-        Scene scene{model, state, {}, {}, 0};
+        Scene scene{model, state, {}, {}, 0, {}};
         scene.terms.push_back(std::move(term));
         return scene;
     }

@@ -56,8 +56,13 @@ double kinetic_of(const Scene& scene)
     return sum;
 }
 
-/// Kinetic energy that is left of a disturbance after the domain has moved by two of its lengths.
-double left_of_a_disturbance(double calm)
+struct Disturbance {
+    double left = 0;          ///< share of its kinetic energy
+    double balance_error = 0; ///< of the run
+};
+
+/// What is left of a disturbance after the domain has moved by two of its lengths.
+Disturbance pass_over_a_disturbance(double calm)
 {
     Channel channel(calm);
     for (std::size_t i = 0; i < channel.start.size(); ++i) {
@@ -72,9 +77,7 @@ double left_of_a_disturbance(double calm)
     Recorders nobody;
     const Outcome outcome = run(scene, nobody);
     EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
-    // Moving particles back to their places does work that is not booked: 5 % of this small disturbance.
-    EXPECT_LT(scene.ledger.balance_error(), calm > 0 ? 0.06 : 0.01);
-    return kinetic_of(scene) / before;
+    return {kinetic_of(scene) / before, scene.ledger.balance_error()};
 }
 
 } // namespace
@@ -100,9 +103,16 @@ TEST(SphMovingDomain, StillWaterStaysStillWhileTheDomainPassesOverIt)
 
 TEST(SphMovingDomain, TheWakeDoesNotComeBack)
 {
-    EXPECT_LT(left_of_a_disturbance(0.5), 0.02);
-    EXPECT_GT(left_of_a_disturbance(0), 0.2)
-        << "without the calm zone the wake must stay, or this shows nothing";
+    EXPECT_LT(pass_over_a_disturbance(0.5).left, 0.02);
+    const Disturbance without = pass_over_a_disturbance(0);
+    EXPECT_GT(without.left, 0.2) << "without the calm zone the wake must stay, or this shows nothing";
+    EXPECT_LT(without.balance_error, 0.01);
+}
+
+// Open: 4.6 %. Moving particles back to their places in the calm zone does work that is not booked.
+TEST(SphMovingDomain, DISABLED_CalmingIsBooked)
+{
+    EXPECT_LT(pass_over_a_disturbance(0.5).balance_error, 0.01);
 }
 
 } // namespace plash
