@@ -396,6 +396,13 @@ void EdgeContact::sum_up(const Clock& clock, State& state)
     energy_ -= 0.5 * clock.last_step * power;
 }
 
+void EdgeContact::serialise(Archive& archive)
+{
+    archive(mass_, pairs_, searched_at_, now_, force_now_, energy_, friction_energy_, soft_step_,
+            deletions_seen_);
+    if (archive.loading() && !mass_.empty()) lumped_ = {};
+}
+
 void EdgeContact::collect(const State&, ElementResults& results) const
 {
     auto entry = std::find_if(results.contacts.begin(), results.contacts.end(),

@@ -53,7 +53,7 @@ class EdgeContact : public Term {
 public:
     EdgeContact(const Contact& contact, const Model& model, const std::vector<PartData>& parts);
 
-    bool restartable() const override { return false; }
+    void serialise(Archive& archive) override;
     std::string_view name() const override { return "edge contact"; }
     std::size_t items() const override { return edges_.size(); }
     void add_forces(const Clock& clock, State& state) override;

@@ -15,7 +15,7 @@ public:
     InteriorContact(const Model& model, const std::vector<PartData>& parts, const PartSet& set,
                     double penalty_scale);
 
-    bool restartable() const override { return false; }
+    void serialise(Archive& archive) override { archive(springs_, energy_); }
     std::string_view name() const override { return "interior contact"; }
     std::size_t items() const override { return springs_.size(); }
     void add_forces(const Clock& clock, State& state) override;
@@ -31,6 +31,8 @@ private:
         double limit = 0;     ///< distance below which it acts [length]
         double stiffness = 0; ///< [force/length]
         Vec3 force{};         ///< on the far face at n [force]
+
+        void serialise(Archive& archive) { archive(force); }
     };
     const Model& model_;
     std::vector<Spring> springs_;

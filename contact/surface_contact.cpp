@@ -401,6 +401,7 @@ void SurfaceContact::serialise(Archive& archive)
 {
     archive(mass_, motion_.travelled, sum_now_, deletions_seen_, soft_step_, energy_);
     search_.serialise(archive);
+    if (ties_) ties_->serialise(archive);
     now_.serialise(archive);
     if (!archive.loading()) return;
     now_.first.assign(now_.chunks.empty() ? 0 : mesh_.nodes.size(), nullptr);

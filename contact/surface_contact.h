@@ -63,7 +63,7 @@ private:
     const Model& model_;
     ContactMesh mesh_;
     PairSearch search_;
-    MeshMotion motion_;
+    ContactMotion motion_;
     std::vector<double> lumped_; ///< masses of the Model's nodes by their elements, until the first cycle
     std::vector<double> mass_;   ///< of the mesh's nodes [mass]
     std::vector<Friction> frictions_; ///< by part, and one more for nodes and facets without a part

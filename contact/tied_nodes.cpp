@@ -10,11 +10,6 @@ namespace plash {
 
 namespace {
 
-std::array<Vec3, 4> at_corners(const std::vector<Vec3>& field, const TiedPoint& point)
-{
-    return {field[point.corner[0]], field[point.corner[1]], field[point.corner[2]], field[point.corner[3]]};
-}
-
 /// The velocity at n+1/2 that the loop is about to give a node.
 Vec3 next_velocity(const State& state, const Clock& clock, Index node)
 {

@@ -31,6 +31,11 @@ public:
     /// Velocities of tied nodes for the next step; after everything that acts on the corners.
     void follow(const Clock& clock, State& state);
     void collect(const State& state, ElementResults& results) const;
+    /// The masses are moved when the ties are made; what they were then is kept for the results.
+    void serialise(Archive& archive)
+    {
+        for (Tie& tie : ties_) archive(tie);
+    }
 
 private:
     struct Tie {
@@ -42,6 +47,8 @@ private:
         double mass = 0;              ///< [mass]
         Vec3 force{}, acceleration{}; ///< of the node at n
         Vec3 spin_rate{};
+
+        void serialise(Archive& archive) { archive(mass, force, acceleration, spin_rate); }
     };
     const Model& model_;
     std::vector<Tie> ties_; ///< a node comes before the corners of its segment that are tied too
@@ -60,7 +67,7 @@ bool ties_by_constraint(const Contact& contact);
 class TiedForces : public Term {
 public:
     explicit TiedForces(std::shared_ptr<TiedNodes> nodes) : nodes_(std::move(nodes)) {}
-    bool restartable() const override { return false; }
+    void serialise(Archive& archive) override { nodes_->serialise(archive); }
     std::string_view name() const override { return "tied nodes"; }
     std::size_t items() const override { return nodes_->size(); }
     void constrain(const Clock&, State& state) override { nodes_->hand_over_forces(state); }
@@ -77,7 +84,6 @@ private:
 class TiedMotion : public Term {
 public:
     explicit TiedMotion(std::shared_ptr<TiedNodes> nodes) : nodes_(std::move(nodes)) {}
-    bool restartable() const override { return false; }
     std::string_view name() const override { return "motion of tied nodes"; }
     void constrain(const Clock& clock, State& state) override { nodes_->follow(clock, state); }
 

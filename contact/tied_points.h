@@ -62,4 +62,10 @@ struct TieSearch {
 TieSearch find_tied_points(const Surface& slave, const Surface& master, const Contact& contact,
                            const std::vector<Vec3>& position);
 
+/// Values of a nodal field at the corners of a point's segment.
+inline std::array<Vec3, 4> at_corners(const std::vector<Vec3>& field, const TiedPoint& point)
+{
+    return {field[point.corner[0]], field[point.corner[1]], field[point.corner[2]], field[point.corner[3]]};
+}
+
 } // namespace plash

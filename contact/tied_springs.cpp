@@ -9,10 +9,7 @@ namespace plash {
 
 namespace {
 
-std::array<Vec3, 4> at_corners(const std::vector<Vec3>& field, const TiedPoint& point)
-{
-    return {field[point.corner[0]], field[point.corner[1]], field[point.corner[2]], field[point.corner[3]]};
-}
+constexpr std::string_view voter = "tied contact at node";
 
 bool all_turn(const State& state, const TiedPoint& point)
 {
@@ -120,7 +117,7 @@ void TiedSprings::set_vote(const State& state)
         for (; i < hung.size() && hung[i].first == node; ++i) sum += hung[i].second;
         if (state.mass[node] <= 0 || sum <= largest * state.mass[node]) continue;
         largest = sum / state.mass[node];
-        vote_ = {2 / std::sqrt(2 * largest), "tied contact at node", model_.nodes.id[node], 0};
+        vote_ = {2 / std::sqrt(2 * largest), voter, model_.nodes.id[node], 0};
     }
 }
 
@@ -274,6 +271,14 @@ void TiedSprings::collect_nodes(std::vector<Vec3>& contact_force) const
         contact_force[spring.point.node] += spring.force;
         for (int i = 0; i < 4; ++i) contact_force[spring.point.corner[i]] += spring.corner_force[i];
     }
+}
+
+void TiedSprings::serialise(Archive& archive)
+{
+    for (Spring& spring : springs_) archive(spring);
+    archive(broken_, slave_energy_, master_energy_, deletions_seen_, longest_step_);
+    archive(vote_.step, vote_.element);
+    vote_.kind = voter;
 }
 
 void TiedContact::add_forces(const Clock& clock, State& state)

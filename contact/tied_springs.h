@@ -36,6 +36,7 @@ public:
     double energy() const { return slave_energy_ + master_energy_; }
     void collect(const State& state, ElementResults::ContactForce& sum) const;
     void collect_nodes(std::vector<Vec3>& contact_force) const;
+    void serialise(Archive& archive);
 
 private:
     struct Spring {
@@ -52,6 +53,11 @@ private:
         Vec3 force{};  ///< on the node [force]
         Vec3 moment{}; ///< on the node [moment]
         std::array<Vec3, 4> corner_force{};
+
+        void serialise(Archive& archive)
+        {
+            archive(stiffness, turn_stiffness, onset, damage, broken, force, moment, corner_force);
+        }
     };
     const Contact& contact_;
     const Model& model_;
@@ -82,7 +88,7 @@ public:
         : contact_(contact), springs_(std::move(springs)), notices_(std::move(notices))
     {}
 
-    bool restartable() const override { return false; }
+    void serialise(Archive& archive) override { springs_.serialise(archive); }
     std::string_view name() const override { return "tied contact"; }
     std::size_t items() const override { return springs_.size(); }
     void add_forces(const Clock& clock, State& state) override;

@@ -16,7 +16,7 @@ void State::serialise(Archive& archive)
 {
     archive.section("nodes");
     archive(position, velocity, mass, angular_velocity, inertia);
-    archive(deleted_shells, deleted_solids, deletions);
+    archive(deleted_shells, deleted_solids, deleted_beams, deletions);
 }
 
 void State::need_rotation()

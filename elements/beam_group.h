@@ -17,7 +17,7 @@ public:
         store_.add_masses(state);
     }
 
-    bool restartable() const override { return false; }
+    void serialise(Archive& archive) override { store_.serialise(archive); }
     std::string_view name() const override { return "beams"; }
     std::size_t items() const override { return store_.patches.element_count; }
     StepVote stable_step() const override { return store_.vote(); }

@@ -29,6 +29,8 @@ public:
         double step = 0;         ///< smallest stable step [time]
         Index place = 0;         ///< of that element: batch x lane_count + lane
         std::vector<Index> lost; ///< places of elements that go at the end of this cycle
+
+        void serialise(Archive& archive) { archive(internal, preload); }
     };
 
     /// Where the points of the law stand in a record; `size` 0: the formulation has no points.
@@ -67,6 +69,9 @@ public:
     /// As Term::scale_mass.
     double scale_mass(double step, bool only_small, State&);
 
+    /// What goes on from cycle to cycle.
+    void serialise(Archive& archive) { archive(records_, sums, preloads_, eroded_internal_); }
+
     StepVote vote() const;
     void report(EnergyLedger&) const;
     void collect(const State&, ElementResults&) const;
@@ -78,6 +83,8 @@ private:
         std::vector<LaneMask> mask; ///< by batch
         double stress = 0;          ///< now [stress]
         bool active = true, has_acted = false;
+
+        void serialise(Archive& archive) { archive(stress, active, has_acted); }
     };
 
     std::size_t record_size_;

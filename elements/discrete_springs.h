@@ -20,7 +20,7 @@ public:
     bool torsional() const { return torsional_; }
     bool empty() const { return springs_.empty(); }
 
-    bool restartable() const override { return false; }
+    void serialise(Archive& archive) override { archive(springs_, part_energy_); }
     std::string_view name() const override { return "springs"; }
     std::size_t items() const override { return springs_.size(); }
     void add_forces(const Clock&, State&) override;
@@ -47,6 +47,8 @@ private:
         double booked_force = 0; ///< at n - 1
         double energy = 0;
         bool failed = false;
+
+        void serialise(Archive& archive) { archive(angle, state, booked_force, energy, failed); }
     };
 
     const Model& model_;

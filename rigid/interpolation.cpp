@@ -19,7 +19,6 @@ bool has_freedoms(Id digits, std::string_view wanted)
 class ForcesOfDependents : public Term {
 public:
     explicit ForcesOfDependents(std::shared_ptr<const Interpolations> links) : links_(std::move(links)) {}
-    bool restartable() const override { return false; }
     std::string_view name() const override { return "interpolation: forces"; }
     std::size_t items() const override { return links_->size(); }
     void constrain(const Clock&, State& state) override { links_->hand_forces_on(state); }
@@ -31,7 +30,6 @@ private:
 class MotionOfDependents : public Term {
 public:
     explicit MotionOfDependents(std::shared_ptr<const Interpolations> links) : links_(std::move(links)) {}
-    bool restartable() const override { return false; }
     std::string_view name() const override { return "interpolation: motion"; }
     std::size_t items() const override { return links_->size(); }
     void constrain(const Clock& clock, State& state) override { links_->move_dependents(clock, state); }

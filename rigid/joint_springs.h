@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/archive.h"
 #include "core/clock.h"
 #include "model/model.h"
 #include "rigid/rigid_body.h"
@@ -33,6 +34,8 @@ public:
 
     /// Largest stable step of the springs and stops on their two bodies [time].
     double stable_step(const Model& model, const std::vector<RigidBody>& bodies) const;
+
+    void serialise(Archive& archive) { archive(freedom_, friction_, force_, energy_, started_); }
 
 private:
     const JointStiffness* card_;

@@ -12,12 +12,11 @@ namespace plash {
 
 namespace {
 
-constexpr double Vec3::*axes[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
-constexpr double vanishing_pivot = 1e-9; ///< of a condition that others imply, over its own inverse mass
+constexpr double implied_pivot = 1e-9; ///< of a condition that others imply, over its own inverse mass
 
 double& component(std::vector<Vec3>& translation, std::vector<Vec3>& rotation, Index node, int freedom)
 {
-    return (freedom < 3 ? translation : rotation)[node].*axes[freedom % 3];
+    return (freedom < 3 ? translation : rotation)[node].*vector_component[freedom % 3];
 }
 
 double mass_of(const State& state, Index node, int freedom)
@@ -107,7 +106,7 @@ void LinearConstraints::mark_driven(const Model& model)
     for (const PrescribedMotion& motion : model.prescribed_motions)
         for (Index node : motion.nodes)
             for (int axis = 0; axis < 3; ++axis)
-                if (std::abs(motion.direction.*axes[axis]) > 1 - 1e-9)
+                if (std::abs(motion.direction.*vector_component[axis]) > 1 - 1e-9)
                     driven.insert({node, axis + (motion.rotation ? 3 : 0)});
     for (Condition& condition : conditions_)
         for (Part& part : condition.parts) part.driven = driven.contains({part.node, part.freedom});
@@ -174,7 +173,7 @@ void LinearConstraints::factor(Group& group, const State& state) const
             at(i, j) = group.dropped[j] ? 0 : sum / at(j, j);
             pivot -= at(i, j) * at(i, j);
         }
-        group.dropped[i] = pivot <= vanishing_pivot * own;
+        group.dropped[i] = pivot <= implied_pivot * own;
         if (group.dropped[i])
             for (std::size_t j = 0; j < i; ++j) at(i, j) = 0;
         at(i, i) = group.dropped[i] ? 1 : std::sqrt(pivot);
@@ -269,7 +268,7 @@ void LinearConstraints::collect(const State&, ElementResults& results) const
         for (const Part& part : condition.parts) {
             if (!part.driven || condition.multiplier == 0) continue;
             ElementResults::BoundaryForce entry{part.node, none, {}, {}, 0};
-            (part.freedom < 3 ? entry.force : entry.moment).*axes[part.freedom % 3] =
+            (part.freedom < 3 ? entry.force : entry.moment).*vector_component[part.freedom % 3] =
                 condition.multiplier * part.coefficient;
             results.motions.push_back(entry);
         }

@@ -19,7 +19,7 @@ public:
     /// do not exist, and for conditions without terms.
     LinearConstraints(const Model& model, const State& state);
 
-    bool restartable() const override { return false; }
+    void serialise(Archive& archive) override { archive(conditions_, groups_, started_, work_); }
     std::string_view name() const override { return "linear constraints"; }
     std::size_t items() const override { return conditions_.size(); }
     void constrain(const Clock& clock, State& state) override;
@@ -40,6 +40,8 @@ private:
         double end; ///< [time] up to which it holds
         Location where;
         double multiplier = 0; ///< of the last step [force]
+
+        void serialise(Archive& archive) { archive(multiplier); }
     };
     /// Conditions that share free freedoms, with the Cholesky factor of their matrix by rows.
     struct Group {
@@ -47,6 +49,8 @@ private:
         std::vector<double> factor;
         std::vector<bool> dropped; ///< follows from those before it
         double end = 0;            ///< [time] at which the first of them ends
+
+        void serialise(Archive& archive) { archive(conditions, factor, dropped, end); }
     };
     std::vector<Condition> conditions_;
     std::vector<Group> groups_;

@@ -283,11 +283,12 @@ void RigidBodies::serialise(Archive& archive)
                 body.angular_velocity, body.shown_center, body.shown_orientation, body.angle,
                 body.acceleration, body.last_body_load, body.angular_acceleration, body.acceleration_of_node);
     }
-    for (BodyRow& row : rows_.rows) archive(row.impulse, row.target, row.active);
+    for (BodyRow& row : rows_.rows) archive(row.impulse, row.target, row.active, row.dead);
     for (Drive& drive : drives_) archive(drive.travelled, drive.rate, drive.force, drive.work);
     for (Support& support : supports_) archive(support.force);
     for (Load& load : loads_) archive(load.last_magnitude, load.work, load.last_direction);
-    archive(before_, kinetic_, body_load_work_);
+    for (JointSpring& spring : springs_) archive(spring);
+    archive(welds_, joint_force_, joint_moment_, before_, kinetic_, body_load_work_);
 }
 
 } // namespace plash

@@ -34,7 +34,6 @@ public:
     void collect(const State& state, ElementResults& results) const override;
     std::vector<std::string> notices(const State&) const override { return notices_; }
     void serialise(Archive& archive) override;
-    bool restartable() const override { return joints_.empty() && springs_.empty() && welds_.empty(); }
 
     const std::vector<RigidBody>& bodies() const { return bodies_; }
 

@@ -151,17 +151,16 @@ Matrix3 rotational_mobility(const RigidBody& body, const Matrix3& orientation)
     // In the axes of the fixity: rows and columns of held freedoms out, the rest inverted.
     const Matrix3 to_axes{{body.fixity.axes[0], body.fixity.axes[1], body.fixity.axes[2]}};
     Matrix3 reduced = to_axes * inertia * transpose(to_axes);
-    constexpr double Vec3::*component[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
     for (int axis = 0; axis < 3; ++axis) {
         if (!(held >> axis & 1)) continue;
         for (int other = 0; other < 3; ++other) {
-            reduced.row[axis].*component[other] = other == axis ? scale : 0;
-            reduced.row[other].*component[axis] = other == axis ? scale : 0;
+            reduced.row[axis].*vector_component[other] = other == axis ? scale : 0;
+            reduced.row[other].*vector_component[axis] = other == axis ? scale : 0;
         }
     }
     Matrix3 mobility = inverse(reduced);
     for (int axis = 0; axis < 3; ++axis)
-        if (held >> axis & 1) mobility.row[axis].*component[axis] = 0;
+        if (held >> axis & 1) mobility.row[axis].*vector_component[axis] = 0;
     return transpose(to_axes) * mobility * to_axes;
 }
 

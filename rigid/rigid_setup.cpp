@@ -11,7 +11,7 @@ namespace plash {
 
 namespace {
 
-constexpr Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+constexpr Vec3 global_axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 /// One freedom of a node that the deck holds, as a direction in the six velocities of its body: angular
 /// velocities count as those of a point one radius of gyration away.
@@ -23,7 +23,7 @@ struct Candidate {
 
 Candidate candidate_of(const RigidBody& body, std::size_t position, int freedom, double gyration)
 {
-    const Vec3 e = axes[freedom % 3];
+    const Vec3 e = global_axes[freedom % 3];
     const Vec3 linear = freedom < 3 ? e : Vec3{};
     const Vec3 turning = freedom < 3 ? (1 / gyration) * cross(body.arm[position], e) : e;
     return {body.nodes[position], freedom, {linear.x, linear.y, linear.z, turning.x, turning.y, turning.z}};
@@ -131,7 +131,7 @@ void RigidBodies::add_supports(const std::vector<Index>& of_node)
     for (const auto& [key, candidates] : held) {
         const auto [body, birth, death] = key;
         for (const Candidate& candidate : independent(candidates)) {
-            const Vec3 direction = axes[candidate.freedom % 3];
+            const Vec3 direction = global_axes[candidate.freedom % 3];
             const bool rotation = candidate.freedom >= 3;
             const std::size_t position =
                 std::find(bodies_[body].nodes.begin(), bodies_[body].nodes.end(), candidate.node) -

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/archive.h"
 #include "core/clock.h"
 #include "core/state.h"
 #include "model/model.h"
@@ -20,6 +21,8 @@ struct Weld {
     Index body = none;                        ///< position in the list of bodies
     double normal_force = 0, shear_force = 0; ///< at the last n
     bool failed = false;
+
+    void serialise(Archive& archive) { archive(normal_force, shear_force, failed); }
 };
 
 /// The welds of the deck (records in Model::others). DeckError for welds without two nodes.

@@ -282,7 +282,7 @@ void read_section_set(const Record& record, const Block&, Reading& reading)
     keep_section(record, std::move(section), reading);
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator database_table[] = {
     {"DATABASE_SECFORC", Phase::conditions, read_ascii},
     {"DATABASE_CROSS_SECTION_PLANE", Phase::conditions, read_section_plane},
     {"DATABASE_CROSS_SECTION_SET", Phase::conditions, read_section_set},
@@ -291,6 +291,9 @@ constexpr Translator keywords[] = {
     {"DATABASE_NODOUT", Phase::conditions, read_ascii},
     {"DATABASE_ELOUT", Phase::conditions, read_ascii},
     {"DATABASE_RWFORC", Phase::conditions, read_ascii},
+    {"DATABASE_RCFORC", Phase::conditions, read_ascii},
+    {"DATABASE_SLEOUT", Phase::conditions, read_ascii},
+    {"DATABASE_NCFORC", Phase::conditions, read_ascii},
     {"DATABASE_SPCFORC", Phase::conditions, read_ascii},
     {"DATABASE_BNDOUT", Phase::conditions, read_ascii},
     {"DATABASE_RBDOUT", Phase::conditions, read_ascii},
@@ -321,7 +324,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> database_keywords()
 {
-    return keywords;
+    return database_table;
 }
 
 } // namespace plash

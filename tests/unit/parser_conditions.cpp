@@ -12,7 +12,7 @@ namespace {
 
 /// Two bricks in a row along x, each its own part, a part set 1 of both, a node set 5 of the nodes at x = 0,
 /// a segment set 6 of the face there, and a curve 1.
-std::string two_bricks(const std::string& more)
+std::string two_bricks_with(const std::string& more)
 {
     std::string deck =
         "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,2.0,1.0,0.0\n"
@@ -29,7 +29,7 @@ std::string two_bricks(const std::string& more)
 /// The Model of a deck without errors.
 Model model_of(const std::string& more)
 {
-    ReadResult result = read_text(two_bricks(more));
+    ReadResult result = read_text(two_bricks_with(more));
     EXPECT_EQ(errors_of(result), "");
     for (const Message& message : unsupported_keywords(result.report)) ADD_FAILURE() << message.text;
     return std::move(result.model);
@@ -163,6 +163,21 @@ TEST(ReadCrossSections, APlaneFindsItsElementsNodesAndArea)
     EXPECT_NEAR(plane.area, 1, 1e-12);
     EXPECT_EQ(model.cross_sections[1].solids, std::vector<Index>{0});
     EXPECT_EQ(model.cross_sections[1].nodes.size(), 4u);
+}
+
+/// Every ASCII result file that Plash can write is made when the deck asks for it.
+TEST(Database, EveryResultFileCanBeAskedFor)
+{
+    for (const char* name : {"GLSTAT", "MATSUM", "NODOUT", "ELOUT", "SWFORC", "RWFORC", "SPCFORC", "SPHOUT",
+                             "BNDOUT", "RBDOUT", "JNTFORC", "SECFORC", "RCFORC", "SLEOUT", "NCFORC"}) {
+        const ReadResult result = read_text(fmt::format("*DATABASE_{}\n0.25\n", name));
+        EXPECT_EQ(errors_of(result), "");
+        std::string file = name;
+        for (char& letter : file) letter = static_cast<char>(std::tolower(letter));
+        const auto& asked = result.model.controls.output.ascii;
+        ASSERT_TRUE(asked.contains(file)) << name;
+        EXPECT_EQ(asked.at(file).interval, 0.25);
+    }
 }
 
 } // namespace plash

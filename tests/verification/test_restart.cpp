@@ -2,6 +2,7 @@
 #include "core/run_error.h"
 #include "tests/paths.h"
 #include "tests/support/crash_deck.h"
+#include "tests/support/joined_deck.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -109,11 +110,26 @@ void expect_same_files(const std::map<std::string, std::string>& expected, const
 
 } // namespace
 
-TEST(Restart, EndsBitIdenticalThoughKilledTwentyTimes)
-{
+class RestartOf : public ::testing::TestWithParam<const char*> {
+protected:
     const TemporaryFolder folder;
-    const fs::path deck = folder / "crash.k";
-    testing::write_crash_deck(deck);
+    const fs::path deck = folder / "deck.k";
+
+    void SetUp() override
+    {
+        if (std::string(GetParam()) == "crash") {
+            testing::write_crash_deck(deck);
+        } else {
+            std::ofstream(deck) << testing::joined_deck();
+        }
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Decks, RestartOf, ::testing::Values("crash", "joined"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST_P(RestartOf, EndsBitIdenticalThoughKilledTwentyTimes)
+{
     const auto start = std::chrono::steady_clock::now();
     ASSERT_EQ(Process(run_command(deck, folder / "whole", false)).exit_code(), 0);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -139,11 +155,8 @@ TEST(Restart, EndsBitIdenticalThoughKilledTwentyTimes)
     EXPECT_GT(restarts, 5);
 }
 
-TEST(Restart, EveryRestartFileOfARunLeadsToTheSameEnd)
+TEST_P(RestartOf, EveryRestartFileOfARunLeadsToTheSameEnd)
 {
-    const TemporaryFolder folder;
-    const fs::path deck = folder / "crash.k";
-    testing::write_crash_deck(deck);
     ASSERT_EQ(Process(run_command(deck, folder / "run", false)).exit_code(), 0);
     const auto whole = results_in(folder / "run");
     int count = 0;
