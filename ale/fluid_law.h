@@ -7,11 +7,11 @@
 
 namespace plash {
 
-using FluidLaw = std::variant<Gruneisen, LinearPolynomial>;
+using CellLaw = std::variant<Gruneisen, LinearPolynomial>;
 
 /// A group of *ALE_MULTI-MATERIAL_GROUP as the Eulerian fluid sees it.
 struct FluidGroup {
-    FluidLaw law;
+    CellLaw law;
     double reference_density; ///< [density]
     double tension_limit = 0; ///< lowest pressure before the liquid tears and leaves void, <= 0 [pressure]
     double viscosity = 0;     ///< dynamic [pressure time]

@@ -12,11 +12,6 @@ namespace plash {
 
 namespace {
 
-double value_or(double value, double fallback)
-{
-    return value != 0 ? value : fallback; // a zero on LS-DYNA's cards asks for the default
-}
-
 LagrangeSettings lagrange_settings_of(const Model& model, const DeckGroups& groups)
 {
     LagrangeSettings settings;

@@ -87,11 +87,6 @@ struct Still {
     double depth(double coordinate) const { return sign * (coordinate - surface); }
 };
 
-double along(const Vec3& v, int axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 void set_direction(const Model& model, const Record& record, Still& still)
 {
     const Id id = record.integer("VECID");
@@ -100,9 +95,9 @@ void set_direction(const Model& model, const Record& record, Still& still)
     if (found == model.vectors.end()) reject_field(record, "VECID", fmt::format("there is no vector {}", id));
     const Vec3 direction = unit(found->head - found->tail);
     for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(std::abs(along(direction, axis)) - 1) > 1e-9) continue;
+        if (std::abs(std::abs(direction.*vector_component[axis]) - 1) > 1e-9) continue;
         still.axis = axis;
-        still.sign = along(direction, axis);
+        still.sign = direction.*vector_component[axis];
         return;
     }
     reject_field(record, "VECID", "gravity must point along a global axis");
@@ -127,7 +122,7 @@ Still still_of(const Model& model, const Record& record, const DeckGroups& group
                             fmt::format("*{}, field MMGBLO: there is no group {}; the deck has 1 to {}",
                                         record.keyword, group, groups.groups.size()));
         if (groups.groups[group - 1].fluid == none) continue; // empty space weighs nothing
-        const double level = along(model.nodes.position[node - model.nodes.id.begin()], still.axis);
+        const double level = model.nodes.position[node - model.nodes.id.begin()].*vector_component[still.axis];
         if (still.layers.empty()) still.surface = level;
         still.layers.push_back({still.depth(level), static_cast<int>(group) - 1});
     }

@@ -27,11 +27,6 @@ private:
     std::vector<Index> parent_;
 };
 
-double along(const Vec3& point, int axis)
-{
-    return axis == 0 ? point.x : axis == 1 ? point.y : point.z;
-}
-
 /// Values that differ by more than the precision of a deck's columns, ascending.
 std::vector<double> distinct(std::vector<double> values)
 {
@@ -71,7 +66,7 @@ MeshBlock block_of(const Model& model, const std::vector<Index>& solids)
         values.reserve(8 * solids.size());
         for (Index solid : solids)
             for (Index node : model.solids.nodes[solid])
-                values.push_back(along(model.nodes.position[node], axis));
+                values.push_back(model.nodes.position[node].*vector_component[axis]);
         block.planes[axis] = distinct(std::move(values));
         if (block.cells(axis) < 1) reject(model, solids.front(), "the mesh is flat");
     }
@@ -88,7 +83,7 @@ MeshBlock block_of(const Model& model, const std::vector<Index>& solids)
         for (int axis = 0; axis < 3; ++axis) {
             for (int n = 0; n < 8; ++n) {
                 const Vec3& point = model.nodes.position[model.solids.nodes[solid][n]];
-                corner[n][axis] = plane_of(block.planes[axis], along(point, axis));
+                corner[n][axis] = plane_of(block.planes[axis], point.*vector_component[axis]);
             }
             low[axis] = corner[0][axis];
             for (int n = 1; n < 8; ++n) low[axis] = std::min(low[axis], corner[n][axis]);

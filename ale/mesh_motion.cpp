@@ -31,7 +31,7 @@ void set_curves(const Model& model, const Record& group, MeshMotion& motion)
     }
 }
 
-bool applies(const Model& model, const Record& group, const MeshBlock& block)
+bool moves(const Model& model, const Record& group, const MeshBlock& block)
 {
     const Id type = group.integer("STYPE");
     if (type > 1)
@@ -68,7 +68,7 @@ MeshMotion mesh_motion_of(const Model& model, const MeshBlock& block)
 {
     MeshMotion motion;
     for (const Record& record : model.others) {
-        if (record.keyword != "ALE_REFERENCE_SYSTEM_GROUP" || !applies(model, record, block)) continue;
+        if (record.keyword != "ALE_REFERENCE_SYSTEM_GROUP" || !moves(model, record, block)) continue;
         motion = {};
         const Id type = record.integer("PRTYPE");
         switch (type) {

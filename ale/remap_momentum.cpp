@@ -193,8 +193,8 @@ private:
 };
 
 template <bool second_order>
-void sweep(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, RemapScratch& scratch,
-           int axis)
+void sweep_momentum(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents,
+                    RemapScratch& scratch, int axis)
 {
     MomentumSweep<second_order> nodes(grid, fields, contents, scratch, axis);
     if (axis == 0) {
@@ -221,9 +221,9 @@ void sweep_momentum(const BoxGrid& grid, BoxFields& fields, const BoxContents& c
                     RemapScratch& scratch, int axis, AdvectionOrder order)
 {
     if (order == AdvectionOrder::van_leer)
-        sweep<true>(grid, fields, contents, scratch, axis);
+        sweep_momentum<true>(grid, fields, contents, scratch, axis);
     else
-        sweep<false>(grid, fields, contents, scratch, axis);
+        sweep_momentum<false>(grid, fields, contents, scratch, axis);
 }
 
 double return_lost_motion(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents)

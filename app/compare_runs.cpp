@@ -2,6 +2,7 @@
 
 #include "app/picture.h"
 #include "assess/signals.h"
+#include "output/history_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +23,9 @@ std::string name_of(const std::string& directory)
 }
 
 /// The part of a curve between two times, with interpolated ends.
-Curve between(const Curve& curve, double from, double to)
+TimeCurve between(const TimeCurve& curve, double from, double to)
 {
-    Curve part;
+    TimeCurve part;
     const auto add = [&](double time, double value) {
         part.time.push_back(time);
         part.value.push_back(value);
@@ -41,14 +42,14 @@ Curve between(const Curve& curve, double from, double to)
     return part;
 }
 
-void scale(Curve& curve, double time_factor, double value_factor)
+void scale(TimeCurve& curve, double time_factor, double value_factor)
 {
     for (double& time : curve.time) time *= time_factor;
     for (double& value : curve.value) value *= value_factor;
 }
 
 /// "file.csv", "file.csv:column" or the directory of a run.
-Curve reference_curve(const std::string& reference, const std::string& signal)
+TimeCurve reference_curve(const std::string& reference, const std::string& signal)
 {
     if (fs::is_directory(reference)) return run_signal(reference, signal);
     if (fs::is_regular_file(reference)) return csv_signal(reference, "");
@@ -62,19 +63,19 @@ SignalComparison compare_signal(const CompareOptions& options, std::size_t which
     const std::string& signal = options.signals[which];
     SignalComparison comparison;
     comparison.signal = signal;
-    const auto window = [&](Curve curve) { return between(curve, options.from, options.to); };
+    const auto window = [&](TimeCurve curve) { return between(curve, options.from, options.to); };
     if (options.references.empty()) {
         comparison.reference = name_of(options.directories.front());
     } else {
         comparison.reference = options.references[std::min(which, options.references.size() - 1)];
-        Curve curve = reference_curve(comparison.reference, signal);
+        TimeCurve curve = reference_curve(comparison.reference, signal);
         scale(curve, options.reference_scale[0], options.reference_scale[1]);
         comparison.reference_curve = window(std::move(curve));
     }
     for (const std::string& directory : options.directories) {
         ComparedRun run;
         run.name = name_of(directory);
-        Curve curve = run_signal(directory, signal);
+        TimeCurve curve = run_signal(directory, signal);
         scale(curve, 1, options.factor);
         run.curve = window(std::move(curve));
         run.is_reference = options.references.empty() && comparison.runs.empty();
@@ -108,12 +109,6 @@ void write_file(const fs::path& path, const std::string& text)
     std::ofstream file(path, std::ios::binary);
     file << text;
     if (!file) throw SignalError(path.string() + " cannot be written");
-}
-
-std::string bytes_of(const fs::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 } // namespace

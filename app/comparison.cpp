@@ -97,7 +97,7 @@ nlohmann::json json_of(const ComparedRun& run)
     return json;
 }
 
-void append_line(std::string& text, const std::string& name, const Curve& curve)
+void append_line(std::string& text, const std::string& name, const TimeCurve& curve)
 {
     text += "line\t" + name + "\n";
     for (std::size_t i = 0; i < curve.size(); ++i)
@@ -173,7 +173,7 @@ std::string comparison_html(const std::vector<SignalComparison>& comparisons, st
         constexpr std::size_t points = 2001;
         ReportPlot plot{comparison.signal, "reference: " + comparison.reference, {}, {}};
         plot.time = resampled(comparison.reference_curve, span.from, span.to, points).time;
-        const auto add = [&](const std::string& name, const Curve& curve) {
+        const auto add = [&](const std::string& name, const TimeCurve& curve) {
             plot.curves.push_back({name, resampled(curve, span.from, span.to, points).value});
         };
         add("reference", comparison.reference_curve);

@@ -13,7 +13,7 @@ namespace plash {
 /// One run judged by one signal.
 struct ComparedRun {
     std::string name; ///< its directory
-    Curve curve;
+    TimeCurve curve;
     Peak peak;
     double impulse = 0;
     CurveErrors errors; ///< to the reference, over the common span
@@ -27,7 +27,7 @@ struct ComparedRun {
 struct SignalComparison {
     std::string signal;
     std::string reference; ///< where the reference comes from
-    Curve reference_curve;
+    TimeCurve reference_curve;
     std::vector<ComparedRun> runs;
 };
 

@@ -129,7 +129,7 @@ std::string convergence_text(const StudyOptions& options, const std::vector<Vari
         for (const auto& [group, members] : groups) {
             for (std::size_t i = 0; i + 2 < members.size(); ++i) {
                 double size[3], peaks[3], impulses[3];
-                const Curve* curves[3];
+                const TimeCurve* curves[3];
                 for (int k = 0; k < 3; ++k) {
                     const ComparedRun& run = comparison.runs[members[i + k]];
                     size[k] = size_of(variants[members[i + k]], options.mesh);

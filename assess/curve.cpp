@@ -5,7 +5,7 @@
 
 namespace plash {
 
-double value_at(const Curve& curve, double time)
+double value_at(const TimeCurve& curve, double time)
 {
     const auto behind = std::upper_bound(curve.time.begin(), curve.time.end(), time);
     if (behind == curve.time.begin()) return curve.value.front();
@@ -15,9 +15,9 @@ double value_at(const Curve& curve, double time)
     return curve.value[i - 1] + share * (curve.value[i] - curve.value[i - 1]);
 }
 
-Curve resampled(const Curve& curve, double from, double to, std::size_t count)
+TimeCurve resampled(const TimeCurve& curve, double from, double to, std::size_t count)
 {
-    Curve result;
+    TimeCurve result;
     result.time.reserve(count);
     result.value.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -28,12 +28,12 @@ Curve resampled(const Curve& curve, double from, double to, std::size_t count)
     return result;
 }
 
-Span common_span(const Curve& a, const Curve& b)
+Span common_span(const TimeCurve& a, const TimeCurve& b)
 {
     return {std::max(a.time.front(), b.time.front()), std::min(a.time.back(), b.time.back())};
 }
 
-double impulse(const Curve& curve)
+double impulse(const TimeCurve& curve)
 {
     double sum = 0;
     for (std::size_t i = 1; i < curve.size(); ++i) {
@@ -42,7 +42,7 @@ double impulse(const Curve& curve)
     return sum;
 }
 
-Peak peak(const Curve& curve)
+Peak peak(const TimeCurve& curve)
 {
     const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
     const std::size_t i =

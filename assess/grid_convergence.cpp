@@ -38,12 +38,12 @@ GridConvergence grid_convergence(const double (&size)[3], const double (&value)[
     return result;
 }
 
-AveragedConvergence averaged_convergence(const double (&size)[3], const Curve* const (&curves)[3],
+AveragedConvergence averaged_convergence(const double (&size)[3], const TimeCurve* const (&curves)[3],
                                          std::size_t samples)
 {
     const Span first = common_span(*curves[0], *curves[1]), second = common_span(*curves[1], *curves[2]);
     const double from = std::max(first.from, second.from), to = std::min(first.to, second.to);
-    Curve sampled[3];
+    TimeCurve sampled[3];
     for (int i = 0; i < 3; ++i) sampled[i] = resampled(*curves[i], from, to, samples);
     const double largest = std::abs(peak(sampled[0]).value);
     AveragedConvergence result;

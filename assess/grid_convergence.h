@@ -32,7 +32,7 @@ struct AveragedConvergence {
 
 /// `curves` as `size`, fine to coarse, sampled at `samples` even times of their common span. Times at which
 /// two curves differ by less than 1e-9 of the largest value have no order.
-AveragedConvergence averaged_convergence(const double (&size)[3], const Curve* const (&curves)[3],
+AveragedConvergence averaged_convergence(const double (&size)[3], const TimeCurve* const (&curves)[3],
                                          std::size_t samples = 1001);
 
 } // namespace plash

@@ -169,11 +169,11 @@ const char* IsoRating::grade() const
     return overall > 0.94 ? "excellent" : overall > 0.8 ? "good" : overall > 0.58 ? "fair" : "poor";
 }
 
-IsoRating iso_rating(const Curve& reference, const Curve& computed, std::size_t samples)
+IsoRating iso_rating(const TimeCurve& reference, const TimeCurve& computed, std::size_t samples)
 {
     const Span span = common_span(reference, computed);
-    const Curve wanted = resampled(reference, span.from, span.to, samples);
-    const Curve found = resampled(computed, span.from, span.to, samples);
+    const TimeCurve wanted = resampled(reference, span.from, span.to, samples);
+    const TimeCurve found = resampled(computed, span.from, span.to, samples);
     IsoRating rating;
     rating.corridor = corridor_score(wanted.value, found.value);
     const long steps = best_shift(wanted.value, found.value);

@@ -20,6 +20,6 @@ struct IsoRating {
 /// Both curves are sampled at `samples` even times of their common span. The standard samples at 10 kHz, so
 /// that its smoothing over nine points spans a millisecond; since decks carry their own units, the default
 /// here is a thousand steps whatever the span. Wants a common span and samples > 20.
-IsoRating iso_rating(const Curve& reference, const Curve& computed, std::size_t samples = 1001);
+IsoRating iso_rating(const TimeCurve& reference, const TimeCurve& computed, std::size_t samples = 1001);
 
 } // namespace plash

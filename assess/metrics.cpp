@@ -29,11 +29,11 @@ SpragueGeers sprague_geers(const std::vector<double>& measured, const std::vecto
 
 } // namespace
 
-CurveErrors curve_errors(const Curve& reference, const Curve& computed, std::size_t samples)
+CurveErrors curve_errors(const TimeCurve& reference, const TimeCurve& computed, std::size_t samples)
 {
     const Span span = common_span(reference, computed);
-    const Curve measured = resampled(reference, span.from, span.to, samples);
-    const Curve found = resampled(computed, span.from, span.to, samples);
+    const TimeCurve measured = resampled(reference, span.from, span.to, samples);
+    const TimeCurve found = resampled(computed, span.from, span.to, samples);
     const Peak measured_peak = peak(measured), found_peak = peak(found);
     CurveErrors errors;
     errors.peak = (found_peak.value - measured_peak.value) / measured_peak.value;

@@ -15,12 +15,6 @@ namespace plash {
 
 namespace {
 
-std::string bytes_of(const std::filesystem::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 std::string_view trimmed(std::string_view text)
 {
     const auto first = text.find_first_not_of(" \t\r");
@@ -72,7 +66,7 @@ public:
     {
         const auto [place, is_new] = place_.try_emplace(name, signals_.size());
         if (is_new) signals_.push_back({name, {}});
-        Curve& curve = signals_[place->second].curve;
+        TimeCurve& curve = signals_[place->second].curve;
         curve.time.push_back(time);
         curve.value.push_back(value);
     }
@@ -225,7 +219,7 @@ const std::vector<std::string>& signal_files()
     return names;
 }
 
-Curve run_signal(const std::string& directory, const std::string& name)
+TimeCurve run_signal(const std::string& directory, const std::string& name)
 {
     const std::string kind = name.substr(0, name.find('/'));
     if (!readers().contains(kind)) {
@@ -278,7 +272,7 @@ std::vector<Signal> read_csv(const std::string& path)
             const auto value = number(fields[i]);
             if (!value)
                 throw SignalError(fmt::format("{}:{}: '{}' is not a number", path, line_number, fields[i]));
-            Curve& curve = columns[i - 1].curve;
+            TimeCurve& curve = columns[i - 1].curve;
             if (!curve.empty() && *time < curve.time.back())
                 throw SignalError(fmt::format("{}:{}: time goes back to {}", path, line_number, *time));
             curve.time.push_back(*time);
@@ -288,7 +282,7 @@ std::vector<Signal> read_csv(const std::string& path)
     return columns;
 }
 
-Curve csv_signal(const std::string& path, const std::string& column)
+TimeCurve csv_signal(const std::string& path, const std::string& column)
 {
     std::vector<Signal> columns = read_csv(path);
     if (columns.empty()) throw SignalError(path + " holds no numbers");

@@ -13,7 +13,7 @@ namespace plash {
 /// "matsum/3/internal", or the heading of a column of a CSV file.
 struct Signal {
     std::string name;
-    Curve curve;
+    TimeCurve curve;
 };
 
 /// A file that is not there or holds no such signal; the message says which there are.
@@ -30,7 +30,7 @@ std::vector<Signal> read_signals(std::string_view kind, std::string_view text);
 const std::vector<std::string>& signal_files();
 
 /// One signal of a run by its name; blanks and underscores are the same. Throws SignalError.
-Curve run_signal(const std::string& directory, const std::string& name);
+TimeCurve run_signal(const std::string& directory, const std::string& name);
 
 /// Columns of a CSV file: the first is time, headings in the first line if they are not numbers, '#' starts a
 /// comment. Curves are named by their headings, "2", "3" ... without. Throws SignalError.
@@ -38,6 +38,6 @@ std::vector<Signal> read_csv(const std::string& path);
 
 /// The column of that heading or number, counted from 1; the second column when `column` is empty. Throws
 /// SignalError.
-Curve csv_signal(const std::string& path, const std::string& column);
+TimeCurve csv_signal(const std::string& path, const std::string& column);
 
 } // namespace plash

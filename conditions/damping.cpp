@@ -8,8 +8,6 @@ namespace plash {
 
 namespace {
 
-constexpr double Vec3::*components[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
-
 /// Nodes of the elements, particles and masses of some parts; all nodes when there are none.
 std::vector<bool> damped_nodes(const Model& model, const std::vector<Index>& parts)
 {
@@ -88,17 +86,17 @@ Damping::Wrench Damping::damp(const NodeDamping& damping, double rate, const Nod
         Vec3 whole{};
         for (int axis = 0; axis < 3; ++axis) {
             const double d = rate * scale[axis];
-            const double v = velocity.*components[axis] - frame.*components[axis];
+            const double v = velocity.*vector_component[axis] - frame.*vector_component[axis];
             if (d == 0) continue;
             double added = -d * own_mass * v;
             if (moving_mass > 0) {
                 // v+ = [(1 - d h / 2) v + h f / m] / (1 + d h / 2), all relative to the frame
-                const double kick = span * (force.*components[axis]) / moving_mass;
+                const double kick = span * (force.*vector_component[axis]) / moving_mass;
                 const double next = ((1 - 0.5 * d * span) * v + kick) / (1 + 0.5 * d * span);
-                added = moving_mass * (next - v) / span - force.*components[axis];
+                added = moving_mass * (next - v) / span - force.*vector_component[axis];
             }
-            force.*components[axis] += added;
-            whole.*components[axis] = added;
+            force.*vector_component[axis] += added;
+            whole.*vector_component[axis] = added;
         }
         return whole;
     };

@@ -6,8 +6,6 @@ namespace plash {
 
 namespace {
 
-constexpr double Vec3::*components[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
-
 /// Replaces the held components of `force` by what stops `velocity` within `velocity_step`; returns the
 /// reaction and adds the kinetic energy that is stopped. `axes`: null for the global ones.
 Vec3 hold(Vec3& force, const Vec3& velocity, double mass, FreedomMask freedoms,
@@ -17,7 +15,7 @@ Vec3 hold(Vec3& force, const Vec3& velocity, double mass, FreedomMask freedoms,
     if (mass == 0) return reaction; // a node of a rigid body: the body holds it
     for (int axis = 0; axis < 3; ++axis) {
         if (!(freedoms >> axis & 1)) continue;
-        const double v = axes ? dot(velocity, (*axes)[axis]) : velocity.*components[axis];
+        const double v = axes ? dot(velocity, (*axes)[axis]) : velocity.*vector_component[axis];
         const double needed = v == 0 ? 0 : -mass * v / velocity_step;
         stopped_energy += 0.5 * mass * v * v;
         if (axes) {
@@ -25,8 +23,8 @@ Vec3 hold(Vec3& force, const Vec3& velocity, double mass, FreedomMask freedoms,
             reaction += added;
             force += added;
         } else {
-            reaction.*components[axis] = needed - force.*components[axis];
-            force.*components[axis] = needed;
+            reaction.*vector_component[axis] = needed - force.*vector_component[axis];
+            force.*vector_component[axis] = needed;
         }
     }
     return reaction;
@@ -39,7 +37,7 @@ void stop(Vec3& velocity, FreedomMask freedoms, const std::array<Vec3, 3>* axes)
         if (axes) {
             velocity -= dot(velocity, (*axes)[axis]) * (*axes)[axis];
         } else {
-            velocity.*components[axis] = 0;
+            velocity.*vector_component[axis] = 0;
         }
     }
 }

@@ -8,7 +8,7 @@ namespace plash {
 std::vector<InitialPenetration> initial_penetrations(const Contact& contact, const ContactMesh& mesh,
                                                      PairSearch search, const State& state)
 {
-    MeshMotion motion;
+    ContactMotion motion;
     motion.load(mesh, Clock{}, state);
     search.update(mesh, motion);
     const TouchList nothing_before;

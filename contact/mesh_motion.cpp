@@ -5,7 +5,7 @@
 
 namespace plash {
 
-void MeshMotion::load(const ContactMesh& mesh, const Clock& clock, const State& state)
+void ContactMotion::load(const ContactMesh& mesh, const Clock& clock, const State& state)
 {
     const std::size_t count = mesh.nodes.size();
     position.resize(count);

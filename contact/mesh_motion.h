@@ -6,7 +6,7 @@
 namespace plash {
 
 /// Where the nodes of a contact mesh are and how they move, copied into the mesh's order.
-struct MeshMotion {
+struct ContactMotion {
     std::vector<Vec3> position; ///< at n [length]
     std::vector<Vec3> velocity; ///< at n-1/2
     double last_step = 0;       ///< [time]

@@ -26,12 +26,12 @@ PairSearch::PairSearch(const ContactMesh& mesh, const std::vector<std::array<Ind
     margin_ = mesh.typical_size(0.5) / 3;
 }
 
-void PairSearch::update(const ContactMesh& mesh, const MeshMotion& motion)
+void PairSearch::update(const ContactMesh& mesh, const ContactMotion& motion)
 {
     if (!holds(motion)) search(mesh, motion);
 }
 
-bool PairSearch::holds(const MeshMotion& motion)
+bool PairSearch::holds(const ContactMotion& motion)
 {
     const std::vector<Vec3>& position = motion.position;
     if (searched_at_.size() != position.size()) return false;
@@ -117,7 +117,7 @@ void PairSearch::search_nodes(const ContactMesh& mesh, std::span<const Vec3> pos
     }
 }
 
-void PairSearch::search(const ContactMesh& mesh, const MeshMotion& motion)
+void PairSearch::search(const ContactMesh& mesh, const ContactMotion& motion)
 {
     ++searches_;
     const std::vector<Vec3>& position = motion.position;

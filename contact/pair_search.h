@@ -11,7 +11,7 @@ namespace plash {
 struct PairList {
     std::vector<Index> node;  ///< of each pair, rising
     std::vector<Index> facet; ///< of each pair, rising for each node
-    /// Path (see MeshMotion::travelled) before which the pair cannot touch [length]; kept by the TouchFinder.
+    /// Path (see ContactMotion::travelled) before which the pair cannot touch [length]; kept by the TouchFinder.
     std::vector<double> due;
 
     void serialise(Archive& archive) { archive(node, facet, due); }
@@ -30,7 +30,7 @@ public:
     PairSearch(const ContactMesh& mesh, const std::vector<std::array<Index, 8>>& solid_nodes);
 
     /// Finds all pairs if those at hand do not hold any more.
-    void update(const ContactMesh& mesh, const MeshMotion& motion);
+    void update(const ContactMesh& mesh, const ContactMotion& motion);
     /// Makes the next search come before the next cycle (surfaces have changed).
     void forget() { searched_at_.clear(); }
 
@@ -50,8 +50,8 @@ private:
     PairList pairs_;
     long searches_ = 0;
 
-    bool holds(const MeshMotion& motion);
-    void search(const ContactMesh& mesh, const MeshMotion& motion);
+    bool holds(const ContactMotion& motion);
+    void search(const ContactMesh& mesh, const ContactMotion& motion);
     void search_nodes(const ContactMesh& mesh, std::span<const Vec3> position, double margin,
                       std::size_t begin, std::size_t end, PairList& found) const;
     void sort_by_node(std::size_t node_count, const std::vector<PairList>& found);

@@ -63,7 +63,7 @@ struct TouchList {
 /// outward: a node inside counts only if it touched before or came from outside in this step.
 class TouchFinder {
 public:
-    TouchFinder(const ContactMesh& mesh, const MeshMotion& motion, const TouchList& before, bool square_edges)
+    TouchFinder(const ContactMesh& mesh, const ContactMotion& motion, const TouchList& before, bool square_edges)
         : mesh_(mesh), motion_(motion), before_(before), square_edges_(square_edges)
     {}
 
@@ -82,7 +82,7 @@ private:
         Vec3 normal{}; ///< of the facet there
     };
     const ContactMesh& mesh_;
-    const MeshMotion& motion_;
+    const ContactMotion& motion_;
     const TouchList& before_;
     bool square_edges_;
 

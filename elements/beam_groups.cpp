@@ -10,7 +10,7 @@ namespace plash {
 
 namespace {
 
-constexpr std::pair<std::string_view, BeamGroupMaker*> makers[] = {
+constexpr std::pair<std::string_view, BeamGroupMaker*> beam_makers[] = {
     {"MAT_ELASTIC", make_elastic_beams},
     {"MAT_PIECEWISE_LINEAR_PLASTICITY", make_piecewise_linear_beams},
     {"MAT_ISOTROPIC_ELASTIC_PLASTIC", make_piecewise_linear_beams},
@@ -50,7 +50,7 @@ void add_group(const BeamPart& beams, State& state, std::vector<std::unique_ptr<
         add_null_masses(beams, settings.section, positive(material, "RO", "mass density"), state);
         return;
     }
-    for (const auto& [keyword, maker] : makers) {
+    for (const auto& [keyword, maker] : beam_makers) {
         if (material.keyword != keyword) continue;
         if (settings.section.formulation != 3) state.need_rotation();
         groups.push_back(maker(beams, std::move(settings), state));

@@ -10,7 +10,7 @@ namespace plash {
 
 namespace {
 
-constexpr int patch_length = 256; // elements
+constexpr int beam_patch_length = 256; // elements
 
 Patches cut_beams(const BeamPart& part, const State& state)
 {
@@ -20,7 +20,7 @@ Patches cut_beams(const BeamPart& part, const State& state)
         connectivity.push_back(part.model.beams.nodes[element][0]);
         connectivity.push_back(part.model.beams.nodes[element][1]);
     }
-    return Patches(2, part.elements, connectivity, state.position, patch_length);
+    return Patches(2, part.elements, connectivity, state.position, beam_patch_length);
 }
 
 double length_of(const Model& model, Index element)

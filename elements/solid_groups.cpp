@@ -62,11 +62,6 @@ Shape shape_of(const Model& model, Index element)
                                 model.solids.id[element], distinct));
 }
 
-double value_or(double value, double fallback)
-{
-    return value != 0 ? value : fallback; // a zero on LS-DYNA's cards asks for the default
-}
-
 /// Hourglass type, its coefficient and the bulk viscosity of a part: from its *HOURGLASS, or from the control
 /// cards.
 void set_viscosities(const Model& model, const Part& part, SolidSetup& setup)

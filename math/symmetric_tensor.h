@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace plash {
 
 /// Symmetric second-order tensor (stress, strain increment). Shear components are tensor components,
@@ -46,6 +48,13 @@ inline SymmetricTensor<T> deviator(const SymmetricTensor<T>& a)
 {
     const T mean = trace(a) * (1.0 / 3.0);
     return {a.xx - mean, a.yy - mean, a.zz - mean, a.xy, a.yz, a.zx};
+}
+
+/// Equivalent stress of von Mises.
+inline double equivalent_stress(const SymmetricTensor<double>& stress)
+{
+    const SymmetricTensor<double> s = deviator(stress);
+    return std::sqrt(1.5 * contract(s, s));
 }
 
 } // namespace plash

@@ -34,6 +34,9 @@ struct Vector3 {
 
 using Vec3 = Vector3<double>;
 
+/// The components of a vector by number.
+inline constexpr double Vec3::*vector_component[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
+
 template <class T>
 inline Vector3<T> operator+(const Vector3<T>& a, const Vector3<T>& b)
 {

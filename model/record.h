@@ -65,4 +65,10 @@ public:
     const Table* table(std::string_view first_column) const;
 };
 
+/// A number from a card where 0 asks for the default.
+inline double value_or(double value, double fallback)
+{
+    return value != 0 ? value : fallback;
+}
+
 } // namespace plash

@@ -20,11 +20,10 @@ using Numbers = std::vector<Id>;
 void put_vectors(ArrayFile& file, const std::vector<Vec3>& values, const char* x, const char* y,
                  const char* z)
 {
-    constexpr double Vec3::*components[] = {&Vec3::x, &Vec3::y, &Vec3::z};
     const char* names[] = {x, y, z};
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> component;
-        for (const Vec3& value : values) component.push_back(value.*components[axis]);
+        for (const Vec3& value : values) component.push_back(value.*vector_component[axis]);
         file.put(names[axis], component);
     }
 }

@@ -10,7 +10,7 @@ namespace plash {
 
 namespace {
 
-void append(std::string& text, std::string_view name, double value)
+void append_value(std::string& text, std::string_view name, double value)
 {
     text += name;
     append_scientific(text, value, 13, 4);
@@ -26,24 +26,24 @@ void append_table(std::string& text, double time, std::string_view title, std::s
     double energy = 0;
     for (const BoundaryRow& row : rows) {
         fmt::format_to(std::back_inserter(text), "{}{:8}", row.rigid_part ? "mat#" : " nd#", row.id);
-        append(text, "  xforce=", row.force.x);
-        append(text, "   yforce=", row.force.y);
-        append(text, "  zforce=", row.force.z);
-        append(text, "   energy=", row.energy);
+        append_value(text, "  xforce=", row.force.x);
+        append_value(text, "   yforce=", row.force.y);
+        append_value(text, "  zforce=", row.force.z);
+        append_value(text, "   energy=", row.energy);
         text += '\n';
         if (row.rigid_part) {
-            append(text, "             xmoment=", row.moment.x);
-            append(text, "  ymoment=", row.moment.y);
-            append(text, " zmoment=", row.moment.z);
+            append_value(text, "             xmoment=", row.moment.x);
+            append_value(text, "  ymoment=", row.moment.y);
+            append_value(text, " zmoment=", row.moment.z);
             text += '\n';
         }
         sum += row.force;
         energy += row.energy;
     }
-    append(text, "              xtotal=", sum.x);
-    append(text, "   ytotal=", sum.y);
-    append(text, "  ztotal=", sum.z);
-    append(text, "   etotal=", energy);
+    append_value(text, "              xtotal=", sum.x);
+    append_value(text, "   ytotal=", sum.y);
+    append_value(text, "  ztotal=", sum.z);
+    append_value(text, "   etotal=", energy);
     text += '\n';
 }
 

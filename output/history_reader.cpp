@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
+#include <fstream>
+#include <iterator>
 #include <utility>
 
 namespace plash {
@@ -41,6 +43,12 @@ bool parse_entry(std::string_view line, Entry& entry)
 }
 
 } // namespace
+
+std::string bytes_of(const std::filesystem::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
 
 const History::Column* History::find(std::string_view name) const
 {

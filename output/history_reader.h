@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,9 @@ struct History {
     /// The column of that name; nullptr when there is none.
     const Column* find(std::string_view name) const;
 };
+
+/// All bytes of a file; none when it cannot be read.
+std::string bytes_of(const std::filesystem::path& path);
 
 /// Reads a file in the layout of glstat: one "name.... value" a line, a new state at each "time". Works on
 /// LS-DYNA's files as well. A state that breaks off (a run that was killed while it wrote) is left out.

@@ -8,7 +8,7 @@ namespace plash {
 
 namespace {
 
-void append(std::string& text, std::string_view name, double value)
+void append_line(std::string& text, std::string_view name, double value)
 {
     fmt::format_to(std::back_inserter(text), " {:.<29}", name);
     append_scientific(text, value, 14, 5);
@@ -20,18 +20,18 @@ void append(std::string& text, std::string_view name, double value)
 std::string format_jntforc(double time, std::span<const ElementResults::JointForce> joints)
 {
     std::string text = "\n";
-    append(text, "time", time);
+    append_line(text, "time", time);
     for (const auto& joint : joints) {
         fmt::format_to(std::back_inserter(text), " {:.<29}{:14}\n", "joint ID", joint.joint);
-        append(text, "x-force", joint.force.x);
-        append(text, "y-force", joint.force.y);
-        append(text, "z-force", joint.force.z);
-        append(text, "x-moment", joint.moment.x);
-        append(text, "y-moment", joint.moment.y);
-        append(text, "z-moment", joint.moment.z);
-        append(text, "resultant force", norm(joint.force));
-        append(text, "resultant moment", norm(joint.moment));
-        append(text, "energy", joint.energy);
+        append_line(text, "x-force", joint.force.x);
+        append_line(text, "y-force", joint.force.y);
+        append_line(text, "z-force", joint.force.z);
+        append_line(text, "x-moment", joint.moment.x);
+        append_line(text, "y-moment", joint.moment.y);
+        append_line(text, "z-moment", joint.moment.z);
+        append_line(text, "resultant force", norm(joint.force));
+        append_line(text, "resultant moment", norm(joint.moment));
+        append_line(text, "energy", joint.energy);
     }
     return text;
 }

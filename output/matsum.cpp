@@ -9,17 +9,17 @@ namespace plash {
 
 namespace {
 
-void append(std::string& text, std::string_view name, double value)
+void append_entry(std::string& text, std::string_view name, double value)
 {
     text += name;
     append_scientific(text, value, 13, 4);
 }
 
-void append(std::string& text, std::string_view name, const Vec3& value)
+void append_entry(std::string& text, std::string_view name, const Vec3& value)
 {
-    append(text, fmt::format(" x-{}=", name), value.x);
-    append(text, fmt::format("     y-{}=", name), value.y);
-    append(text, fmt::format("     z-{}=", name), value.z);
+    append_entry(text, fmt::format(" x-{}=", name), value.x);
+    append_entry(text, fmt::format("     y-{}=", name), value.y);
+    append_entry(text, fmt::format("     z-{}=", name), value.z);
     text += '\n';
 }
 
@@ -28,20 +28,20 @@ void append(std::string& text, std::string_view name, const Vec3& value)
 std::string format_matsum(double time, std::span<const PartStatistics> parts)
 {
     std::string text;
-    append(text, "\n\n time =", time);
+    append_entry(text, "\n\n time =", time);
     text += '\n';
     for (const PartStatistics& part : parts) {
         // Five columns and three blanks, or eight columns where the number needs them.
         text +=
             part.id < 100000 ? fmt::format(" mat.#={:5}   ", part.id) : fmt::format(" mat.#={:8}", part.id);
-        append(text, "          inten=", part.internal);
-        append(text, "     kinen=", part.kinetic);
-        append(text, "     eroded_ie=", part.eroded_internal);
-        append(text, "     eroded_ke=", part.eroded_kinetic);
+        append_entry(text, "          inten=", part.internal);
+        append_entry(text, "     kinen=", part.kinetic);
+        append_entry(text, "     eroded_ie=", part.eroded_internal);
+        append_entry(text, "     eroded_ke=", part.eroded_kinetic);
         text += '\n';
-        append(text, "mom", part.momentum);
-        append(text, "rbv", part.rigid_body_velocity);
-        append(text, "                         hgeng=", part.hourglass);
+        append_entry(text, "mom", part.momentum);
+        append_entry(text, "rbv", part.rigid_body_velocity);
+        append_entry(text, "                         hgeng=", part.hourglass);
         text += "\n\n\n";
     }
     return text;

@@ -18,7 +18,7 @@ std::string table_heading(long cycle, double time, std::string_view columns)
     return text;
 }
 
-void append(std::string& text, const Vec3& value)
+void append_vector(std::string& text, const Vec3& value)
 {
     append_scientific(text, value.x, 12, 5);
     append_scientific(text, value.y, 12, 5);
@@ -35,10 +35,10 @@ std::string format_nodout(long cycle, double time, std::span<const NodeRow> rows
                       "y-accl      z-accl      x-coor      y-coor      z-coor");
     for (const NodeRow& row : rows) {
         fmt::format_to(std::back_inserter(text), "{:9} ", row.id);
-        append(text, row.displacement);
-        append(text, row.velocity);
-        append(text, row.acceleration);
-        append(text, row.position);
+        append_vector(text, row.displacement);
+        append_vector(text, row.velocity);
+        append_vector(text, row.acceleration);
+        append_vector(text, row.position);
         text += '\n';
     }
     return text;
@@ -52,9 +52,9 @@ std::string format_nodout(long cycle, double time, std::span<const RotationRow> 
                       "y-rot acc   z-rot acc");
     for (const RotationRow& row : rows) {
         fmt::format_to(std::back_inserter(text), "{:9} ", row.id);
-        append(text, row.rotation);
-        append(text, row.angular_velocity);
-        append(text, row.angular_acceleration);
+        append_vector(text, row.rotation);
+        append_vector(text, row.angular_velocity);
+        append_vector(text, row.angular_acceleration);
         text += '\n';
     }
     return text;

@@ -8,7 +8,7 @@ namespace plash {
 
 namespace {
 
-void append(std::string& text, const Vec3& value)
+void append_motion(std::string& text, const Vec3& value)
 {
     for (double component : {value.x, value.y, value.z}) append_scientific(text, component, 12, 4);
 }
@@ -16,8 +16,8 @@ void append(std::string& text, const Vec3& value)
 void append_row(std::string& text, std::string_view name, const Vec3& translation, const Vec3& rotation)
 {
     fmt::format_to(std::back_inserter(text), "{:>15}", name);
-    append(text, translation);
-    append(text, rotation);
+    append_motion(text, translation);
+    append_motion(text, rotation);
     text += '\n';
 }
 
@@ -38,7 +38,7 @@ std::string format_rbdout(long cycle, double time, std::span<const ElementResult
                        body.body);
         text += "   global             x           y           z       x-rot       y-rot       z-rot\n";
         fmt::format_to(std::back_inserter(text), "{:>15}", "coordinates:");
-        append(text, body.place);
+        append_motion(text, body.place);
         text += '\n';
         append_row(text, "displacements:", body.displacement, body.angle);
         append_row(text, "velocities:", body.velocity, body.angular_velocity);
@@ -49,7 +49,7 @@ std::string format_rbdout(long cycle, double time, std::span<const ElementResult
         const Vec3 rows[3] = {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}};
         for (int row = 0; row < 3; ++row) {
             fmt::format_to(std::back_inserter(text), "     row {}     ", row + 1);
-            append(text, rows[row]);
+            append_motion(text, rows[row]);
             text += '\n';
         }
         text += "\n output in principal or user defined local coordinate directions\n";

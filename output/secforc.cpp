@@ -8,7 +8,7 @@ namespace plash {
 
 namespace {
 
-void append(std::string& text, const Vec3& vector, double last)
+void append_resultant(std::string& text, const Vec3& vector, double last)
 {
     for (double value : {vector.x, vector.y, vector.z, last}) append_scientific(text, value, 12, 4);
     text += '\n';
@@ -43,11 +43,11 @@ std::string format_secforc(double time, std::span<const SectionRow> rows)
     for (const SectionRow& row : rows) {
         fmt::format_to(std::back_inserter(text), "{:12}", row.id);
         append_scientific(text, time, 15, 5);
-        append(text, row.force, norm(row.force));
+        append_resultant(text, row.force, norm(row.force));
         text += std::string(27, ' ');
-        append(text, row.moment, norm(row.moment));
+        append_resultant(text, row.moment, norm(row.moment));
         text += std::string(27, ' ');
-        append(text, row.centroid, row.area);
+        append_resultant(text, row.centroid, row.area);
         text += '\n';
     }
     return text;

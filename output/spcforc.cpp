@@ -10,7 +10,7 @@ namespace plash {
 
 namespace {
 
-void append(std::string& text, const Vec3& value)
+void append_force(std::string& text, const Vec3& value)
 {
     for (double component : {value.x, value.y, value.z}) append_scientific(text, component, 14, 4);
 }
@@ -18,7 +18,7 @@ void append(std::string& text, const Vec3& value)
 void append_row(std::string& text, Id node, std::string_view name, const Vec3& value)
 {
     fmt::format_to(std::back_inserter(text), " node={:8} local x,y,z {:<7}=", node, name);
-    append(text, value);
+    append_force(text, value);
     text += "  setid=       0\n";
 }
 
@@ -36,7 +36,7 @@ std::string format_spcforc(double time, std::span<const SupportRow> rows)
         sum += row.force;
     }
     text += "             force resultants   =";
-    append(text, sum);
+    append_force(text, sum);
     return text + "\n";
 }
 

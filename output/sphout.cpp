@@ -10,12 +10,6 @@ namespace plash {
 
 namespace {
 
-double von_mises(const SymmetricTensor<double>& stress)
-{
-    const SymmetricTensor<double> s = deviator(stress);
-    return std::sqrt(1.5 * contract(s, s));
-}
-
 /// The particles of the nodes that the deck names, in the Model's order.
 std::vector<Index> particles_at(const Model& model, std::vector<Index> nodes)
 {
@@ -45,7 +39,7 @@ std::string format_sphout(long cycle, double time, std::span<const ParticleRow> 
         const ElementResults::Particle& p = row.state;
         const SymmetricTensor<double>& s = p.stress;
         fmt::format_to(std::back_inserter(text), "{:9}{:8}", row.id, row.part);
-        for (double value : {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx, von_mises(s), p.plastic_strain}) {
+        for (double value : {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx, equivalent_stress(s), p.plastic_strain}) {
             append_scientific(text, value, 12, 4);
         }
         text += "\n                 ";

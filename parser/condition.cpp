@@ -17,11 +17,6 @@ bool is_letter(char character)
            character == '_';
 }
 
-bool is_digit(char character)
-{
-    return character >= '0' && character <= '9';
-}
-
 /// Recursive descent, one function per level of precedence.
 class Evaluator {
 public:

@@ -55,11 +55,6 @@ constexpr KindName kind_names[] = {
     {"friction", Kind::friction},
 };
 
-bool is_digit(char character)
-{
-    return character >= '0' && character <= '9';
-}
-
 [[noreturn]] void fail(std::string_view what, std::string_view token)
 {
     throw std::runtime_error(fmt::format("{}: '{}'", what, token));

@@ -11,11 +11,6 @@ namespace {
 constexpr double power_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-bool is_digit(char character)
-{
-    return static_cast<unsigned>(character - '0') < 10;
-}
-
 /// Exact for any number of digits; only reached by long mantissas and large exponents.
 double slow_value(const char* begin, const char* mantissa_end, int exponent)
 {

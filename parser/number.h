@@ -61,4 +61,10 @@ inline bool parse_eight_digits(const char* begin, std::int64_t& value)
     return true;
 }
 
+/// Whatever the locale.
+inline bool is_digit(char character)
+{
+    return character >= '0' && character <= '9';
+}
+
 } // namespace plash

@@ -191,4 +191,16 @@ std::vector<Index> all_nodes(const Model& model);
 /// The translator of a keyword; nullptr when it goes into Model::others as it is.
 const Translator* find_translator(std::string_view keyword);
 
+/// A field where 0 stands for the default.
+inline double real_or(const Record& record, std::string_view field, double default_value)
+{
+    return value_or(record.real(field), default_value);
+}
+
+/// Three fields as a vector.
+inline Vec3 vector_of(const Record& record, std::string_view x, std::string_view y, std::string_view z)
+{
+    return {record.real(x), record.real(y), record.real(z)};
+}
+
 } // namespace plash

@@ -12,11 +12,9 @@ namespace plash {
 
 namespace {
 
-constexpr double Vec3::*components[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
-
 double component(const Vec3& vector, int axis)
 {
-    return axis == 3 ? norm(vector) : vector.*components[axis];
+    return axis == 3 ? norm(vector) : vector.*vector_component[axis];
 }
 
 bool outside(double value, const Termination& end)

@@ -11,11 +11,6 @@ namespace plash {
 
 namespace {
 
-double value_or(double value, double fallback)
-{
-    return value != 0 ? value : fallback; // a zero on LS-DYNA's cards asks for the default
-}
-
 const Record& section_of(const Model& model, const Part& part)
 {
     if (part.section == none) {

@@ -13,11 +13,6 @@ namespace {
 
 using Direction = CouplingOptions::Direction;
 
-double value_or(double value, double fallback)
-{
-    return value != 0 ? value : fallback; // a zero on LS-DYNA's cards asks for the default
-}
-
 /// LSTRSID by LSTRSTYP: 0 part set, 1 part, 2 segment set.
 ContactSide structure_of(const Model& model, const Record& record)
 {

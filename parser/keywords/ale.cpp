@@ -166,7 +166,7 @@ void read_structured_mesh(const Record& mesh, const Block&, Reading& reading)
     if (!model.solids.axes.empty()) model.solids.axes.resize(model.solids.size());
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator ale_table[] = {
     {"ALE_STRUCTURED_MESH_CONTROL_POINTS", Phase::properties},
     {"ALE_STRUCTURED_MESH", Phase::elements, read_structured_mesh},
 };
@@ -175,7 +175,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> ale_keywords()
 {
-    return keywords;
+    return ale_table;
 }
 
 } // namespace plash

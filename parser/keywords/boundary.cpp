@@ -189,7 +189,7 @@ void read_prescribed_motion(const Record& record, const Block&, Reading& reading
     reading.model.prescribed_motions.push_back(std::move(motion));
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator boundary_table[] = {
     {"BOUNDARY_SPC_NODE", Phase::conditions, read_fixed_nodes},
     {"BOUNDARY_SPC_SET", Phase::conditions, read_fixed_nodes},
     {"BOUNDARY_SPC_NODE_BIRTH_DEATH", Phase::conditions, read_fixed_nodes},
@@ -208,7 +208,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> boundary_keywords()
 {
-    return keywords;
+    return boundary_table;
 }
 
 } // namespace plash

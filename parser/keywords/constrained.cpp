@@ -10,11 +10,6 @@
 namespace plash {
 namespace {
 
-Vec3 vector_of(const Record& record, std::string_view x, std::string_view y, std::string_view z)
-{
-    return {record.real(x), record.real(y), record.real(z)};
-}
-
 /// Freedoms of the code that CON1 and CON2 share: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz.
 FreedomMask freedoms_of_code(const Record& record, std::string_view field, Reading& reading)
 {
@@ -237,13 +232,12 @@ void read_joint_stiffness(const Record& record, const Block&, Reading& reading)
 /// *CONSTRAINED_GLOBAL: nodes in a plane that is normal to a global axis are held.
 void read_constrained_plane(const Record& record, const Block& block, Reading& reading)
 {
-    constexpr double Vec3::*axes[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
     const Id direction = record.integer("DIR");
     if (direction < 1 || direction > 3) {
         reading.error(record, "DIR", fmt::format("{} is not one of 1 x, 2 y, 3 z", direction));
         return;
     }
-    const auto axis = axes[direction - 1];
+    const auto axis = vector_component[direction - 1];
     const double place = reading.motion_of(block).point(vector_of(record, "X", "Y", "Z")).*axis;
     const std::vector<Vec3>& positions = reading.model.nodes.position;
     double low = place, high = place;
@@ -290,7 +284,7 @@ void read_rigid_inertia(const Record& record, const Block& block, Reading& readi
     reading.model.part_inertias[part] = read_inertia(record, block, "", reading);
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator constrained_table[] = {
     {"CONSTRAINED_NODAL_RIGID_BODY", Phase::parts, read_nodal_rigid_body},
     {"CONSTRAINED_NODAL_RIGID_BODY_SPC", Phase::parts, read_nodal_rigid_body},
     {"CONSTRAINED_NODAL_RIGID_BODY_INERTIA", Phase::parts, read_nodal_rigid_body},
@@ -339,7 +333,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> constrained_keywords()
 {
-    return keywords;
+    return constrained_table;
 }
 
 void finish_nodal_rigid_bodies(Reading& reading)

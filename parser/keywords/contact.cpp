@@ -21,12 +21,6 @@ std::string_view one_of(const Record& record, std::string_view newer, std::strin
 }
 
 /// LS-DYNA takes a zero for "as by default".
-double real_or(const Record& record, std::string_view field, double default_value)
-{
-    const double value = record.real(field);
-    return value == 0 ? default_value : value;
-}
-
 Contact::Kind kind_of(std::string_view name)
 {
     using Kind = Contact::Kind;
@@ -247,7 +241,7 @@ void read_contact_control(const Record& record, const Block&, Reading& reading)
     defaults.dynamic_friction = record.real("DFRIC");
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator contact_table[] = {
     {"CONTROL_CONTACT", Phase::conditions, read_contact_control},
     {"CONTACT_AIRBAG_SINGLE_SURFACE", Phase::conditions, read_contact},
     {"CONTACT_AUTOMATIC_*", Phase::conditions, read_contact},
@@ -268,7 +262,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> contact_keywords()
 {
-    return keywords;
+    return contact_table;
 }
 
 void finish_contacts(Reading& reading)

@@ -6,12 +6,6 @@ namespace plash {
 namespace {
 
 /// LS-DYNA takes a zero for "as by default".
-double real_or(const Record& record, std::string_view field, double default_value)
-{
-    const double value = record.real(field);
-    return value == 0 ? default_value : value;
-}
-
 int whole(const Record& record, std::string_view field)
 {
     return static_cast<int>(record.integer(field));
@@ -99,7 +93,7 @@ void read_solid(const Record& record, const Block&, Reading& reading)
     reading.model.controls.elements.sort_solids = whole(record, "ESORT");
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator control_table[] = {
     {"CONTROL_TERMINATION", Phase::conditions, read_termination},
     {"CONTROL_TIMESTEP", Phase::conditions, read_timestep},
     {"CONTROL_SOLUTION", Phase::conditions, read_solution},
@@ -116,7 +110,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> control_keywords()
 {
-    return keywords;
+    return control_table;
 }
 
 } // namespace plash

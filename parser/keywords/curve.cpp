@@ -86,7 +86,7 @@ void read_table(const Record& record, const Block& block, Reading& reading)
     reading.model.tables.push_back(std::move(table));
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator curve_table[] = {
     {"DEFINE_CURVE", Phase::properties, read_curve},
     {"DEFINE_TABLE", Phase::properties, read_table},
     {"DEFINE_TABLE_2D", Phase::properties, read_table},
@@ -96,7 +96,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> curve_keywords()
 {
-    return keywords;
+    return curve_table;
 }
 
 void finish_tables(Reading& reading)

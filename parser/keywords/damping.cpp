@@ -65,7 +65,7 @@ void read_relative(const Record& record, const Block&, Reading& reading)
     if (!damping.parts.empty() && damping.rate != 0) reading.model.dampings.push_back(std::move(damping));
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator damping_table[] = {
     {"DAMPING_GLOBAL", Phase::conditions, read_global},
     {"DAMPING_PART_MASS", Phase::conditions, read_part_mass},
     {"DAMPING_PART_MASS_SET", Phase::conditions, read_part_mass},
@@ -76,7 +76,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> damping_keywords()
 {
-    return keywords;
+    return damping_table;
 }
 
 } // namespace plash

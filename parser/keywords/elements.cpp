@@ -122,7 +122,7 @@ void read_particles(const Block& block, Reading& reading)
     }
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator elements_table[] = {
     {"ELEMENT_BEAM", Phase::elements, read_beam},
     {"ELEMENT_BEAM_*", Phase::elements, read_beam},
     {"ELEMENT_DISCRETE", Phase::elements, read_discrete},
@@ -135,7 +135,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> element_keywords()
 {
-    return keywords;
+    return elements_table;
 }
 
 } // namespace plash

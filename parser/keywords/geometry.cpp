@@ -10,11 +10,6 @@
 namespace plash {
 namespace {
 
-Vec3 vector_of(const Record& record, std::string_view x, std::string_view y, std::string_view z)
-{
-    return {record.real(x), record.real(y), record.real(z)};
-}
-
 /// Axes from a point on x and one in the xy plane, both as vectors from the origin.
 void keep_system(const Record& record, Vec3 origin, Vec3 along_x, Vec3 in_plane, Reading& reading)
 {
@@ -92,7 +87,7 @@ void read_box(const Record& record, const Block& block, Reading& reading)
     reading.model.boxes.push_back({record.id, box, record.where});
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator geometry_table[] = {
     {"DEFINE_COORDINATE_SYSTEM", Phase::properties, read_system},
     {"DEFINE_COORDINATE_VECTOR", Phase::properties, read_system_of_vectors},
     {"DEFINE_COORDINATE_NODES", Phase::properties, read_system_of_nodes},
@@ -104,7 +99,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> geometry_keywords()
 {
-    return keywords;
+    return geometry_table;
 }
 
 } // namespace plash

@@ -9,11 +9,6 @@
 namespace plash {
 namespace {
 
-Vec3 vector_of(const Record& record, std::string_view x, std::string_view y, std::string_view z)
-{
-    return {record.real(x), record.real(y), record.real(z)};
-}
-
 /// Components along the axes of ICID (or of the include) as a global vector.
 Vec3 to_global(const Record& record, const Block& block, Vec3 local, Reading& reading)
 {
@@ -141,7 +136,7 @@ void read_beam_preload(const Record& record, const Block&, Reading& reading)
     reading.model.beam_preloads.push_back(std::move(preload));
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator initial_table[] = {
     {"INITIAL_AXIAL_FORCE_BEAM", Phase::conditions, read_beam_preload},
     {"INITIAL_VELOCITY", Phase::conditions, read_velocity},
     {"INITIAL_VELOCITY_NODE", Phase::conditions, read_node_velocity},
@@ -153,7 +148,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> initial_keywords()
 {
-    return keywords;
+    return initial_table;
 }
 
 } // namespace plash

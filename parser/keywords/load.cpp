@@ -247,7 +247,7 @@ void read_body_parts(const Record& record, const Block&, Reading& reading)
     if (set != none) reading.body_load_parts = reading.model.part_sets[set].parts;
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator load_table[] = {
     {"LOAD_NODE_POINT", Phase::conditions, read_nodal_load},
     {"LOAD_NODE_SET", Phase::conditions, read_nodal_load},
     {"LOAD_RIGID_BODY", Phase::conditions, read_rigid_body_load},
@@ -272,7 +272,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> load_keywords()
 {
-    return keywords;
+    return load_table;
 }
 
 void finish_loads(Reading& reading)

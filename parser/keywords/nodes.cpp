@@ -77,7 +77,7 @@ void keep_transformation(const Record& record, const Block&, Reading& reading)
     reading.transformations.emplace(record.id, record);
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator nodes_table[] = {
     {"NODE", Phase::nodes, nullptr, read_nodes},
     {"DEFINE_TRANSFORMATION", Phase::nodes, keep_transformation},
 };
@@ -86,7 +86,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> node_keywords()
 {
-    return keywords;
+    return nodes_table;
 }
 
 void move_included_nodes(Reading& reading)

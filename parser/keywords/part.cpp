@@ -28,11 +28,6 @@ void read_part(const Record& record, const Block&, Reading& reading)
     reading.model.parts.push_back(part_of(record, reading));
 }
 
-Vec3 vector_of(const Record& record, std::string_view x, std::string_view y, std::string_view z)
-{
-    return {record.real(x), record.real(y), record.real(z)};
-}
-
 void read_part_inertia(const Record& record, const Block& block, Reading& reading)
 {
     const PartInertia inertia = read_inertia(record, block, "CID", reading);
@@ -78,7 +73,7 @@ void read_part_composite(const Record& record, const Block&, Reading& reading)
     reading.model.parts.push_back(std::move(part));
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator part_table[] = {
     {"PART", Phase::parts, read_part},
     {"PART_AVERAGED", Phase::parts, read_part},
     {"PART_INERTIA", Phase::parts, read_part_inertia},
@@ -91,7 +86,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> part_keywords()
 {
-    return keywords;
+    return part_table;
 }
 
 PartInertia read_inertia(const Record& record, const Block& block, std::string_view system_field,

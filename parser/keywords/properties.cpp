@@ -26,7 +26,7 @@ void keep_hourglass(const Record& record, const Block&, Reading& reading)
     reading.model.hourglass.push_back(record);
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator properties_table[] = {
     {"SECTION_*", Phase::properties, keep_section},
     {"MAT_ADD_*", Phase::conditions},
     {"MAT_NONLOCAL", Phase::conditions},
@@ -40,7 +40,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> property_keywords()
 {
-    return keywords;
+    return properties_table;
 }
 
 } // namespace plash

@@ -155,7 +155,7 @@ void read_geometric_wall(const Record& record, const Block& block, Reading& read
     reading.model.rigid_walls.push_back(std::move(wall));
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator rigid_wall_table[] = {
     {"RIGIDWALL_PLANAR*", Phase::conditions, read_planar_wall},
     {"RIGIDWALL_GEOMETRIC*", Phase::conditions, read_geometric_wall},
 };
@@ -164,7 +164,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> rigid_wall_keywords()
 {
-    return keywords;
+    return rigid_wall_table;
 }
 
 } // namespace plash

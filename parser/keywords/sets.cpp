@@ -74,7 +74,7 @@ void start_discrete_set(const Record& record, const Block& block, Reading& readi
     start_set(record, block, Kind::discrete_set, reading.model.discrete_sets, reading);
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator sets_table[] = {
     {"SET_NODE_LIST", Phase::sets, start_node_set},
     {"SET_NODE_LIST_GENERATE", Phase::sets, start_node_set},
     {"SET_NODE_LIST_GENERATE_INCREMENT", Phase::sets, start_node_set},
@@ -124,7 +124,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> set_keywords()
 {
-    return keywords;
+    return sets_table;
 }
 
 void finish_sets(Reading& reading)

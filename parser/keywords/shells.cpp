@@ -238,7 +238,7 @@ void read_thick_shells(const Block& block, Reading& reading)
     }
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator shells_table[] = {
     {"ELEMENT_SHELL", Phase::elements, nullptr, read_shells},
     {"ELEMENT_SHELL_THICKNESS", Phase::elements, nullptr, read_shells},
     {"ELEMENT_SHELL_THICKNESS_OFFSET", Phase::elements, nullptr, read_shells},
@@ -270,7 +270,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> shell_keywords()
 {
-    return keywords;
+    return shells_table;
 }
 
 } // namespace plash

@@ -128,7 +128,7 @@ void read_solids(const Block& block, Reading& reading)
     SolidReader(block, reading).run();
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator solids_table[] = {
     {"ELEMENT_SOLID", Phase::elements, nullptr, read_solids},
     {"ELEMENT_SOLID_ORTHO", Phase::elements, nullptr, read_solids},
     {"ELEMENT_SOLID_H8TOH20", Phase::elements, nullptr, read_solids},
@@ -141,7 +141,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> solid_keywords()
 {
-    return keywords;
+    return solids_table;
 }
 
 } // namespace plash

@@ -98,7 +98,7 @@ void read_contact(const Record& record, const Block&, Reading& reading)
     reading.model.terminations.push_back(end);
 }
 
-constexpr Translator keywords[] = {
+constexpr Translator termination_table[] = {
     {"TERMINATION_NODE", Phase::conditions, read_node},
     {"TERMINATION_BODY", Phase::conditions, read_body},
     {"TERMINATION_DELETED_SHELLS*", Phase::conditions, read_deleted},
@@ -111,7 +111,7 @@ constexpr Translator keywords[] = {
 
 std::span<const Translator> termination_keywords()
 {
-    return keywords;
+    return termination_table;
 }
 
 } // namespace plash

@@ -71,7 +71,7 @@ bool elsewhere(std::string_view name)
                        [&](std::string_view word) { return name.find(word) != std::string_view::npos; });
 }
 
-class AllDecks : public testing::Test {
+class AllDecks : public ::testing::Test {
 protected:
     void SetUp() override
     {

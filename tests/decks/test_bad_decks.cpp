@@ -53,7 +53,7 @@ std::string messages(const std::string& name)
     return text;
 }
 
-class BadDeck : public testing::TestWithParam<std::string> {};
+class BadDeck : public ::testing::TestWithParam<std::string> {};
 
 } // namespace
 
@@ -64,7 +64,7 @@ TEST_P(BadDeck, GivesItsMessages)
     EXPECT_EQ(messages(GetParam()), expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Deck, BadDeck, testing::ValuesIn(bad_decks()),
-                         [](const testing::TestParamInfo<std::string>& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Deck, BadDeck, ::testing::ValuesIn(bad_decks()),
+                         [](const ::testing::TestParamInfo<std::string>& info) { return info.param; });
 
 } // namespace plash

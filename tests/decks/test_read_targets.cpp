@@ -6,7 +6,7 @@
 namespace plash {
 namespace {
 
-class ReadTargets : public testing::Test {
+class ReadTargets : public ::testing::Test {
 protected:
     void SetUp() override
     {

@@ -19,9 +19,9 @@ using testing::VtkGrid;
 
 namespace {
 
-constexpr double digits = 1e-6; // single precision
+constexpr double single_precision = 1e-6; // single precision
 
-void add_made_up_results(SnapshotFixture& fixture)
+void add_simple_results(SnapshotFixture& fixture)
 {
     fixture.add_results().fill = [](const State&, ElementResults& r) {
         if (r.solid_stress.empty()) return;
@@ -44,7 +44,7 @@ TEST(VtkSeries, HoldsTheModelAsVtkWantsIt)
 {
     TemporaryFolder folder;
     SnapshotFixture fixture = small_model();
-    add_made_up_results(fixture);
+    add_simple_results(fixture);
     VtkSeries series(fixture.model, Schedule(0.1), folder.path().string());
     fixture.state.position[1] = {1, 0.5, 0};
     fixture.state.velocity[1] = {0, 3, 0};
@@ -71,8 +71,9 @@ TEST(VtkSeries, HoldsTheModelAsVtkWantsIt)
     EXPECT_EQ(cells.at("stress")[0], (std::vector<double>{1, 2, 3, 0, 0, 4}));
     EXPECT_EQ(cells.at("stress_outer")[0], (std::vector<double>{1, 2, 3, 0, 0, 6}));
     EXPECT_EQ(cells.at("stress_outer")[4], (std::vector<double>{11, 0, 0, 0, 0, 0}));
-    EXPECT_NEAR(cells.at("von_mises")[0][0], std::sqrt(3 + 3 * 36), 11 * digits); // s = (-1, 0, 1), shear 6
-    EXPECT_NEAR(cells.at("von_mises")[4][0], 11, 11 * digits);
+    EXPECT_NEAR(cells.at("von_mises")[0][0], std::sqrt(3 + 3 * 36),
+                11 * single_precision); // s = (-1, 0, 1), shear 6
+    EXPECT_NEAR(cells.at("von_mises")[4][0], 11, 11 * single_precision);
     EXPECT_EQ(cells.at("plastic_strain")[0][0], 0.5);
     EXPECT_EQ(cells.at("plastic_strain")[5][0], 0.5);
     EXPECT_EQ(cells.at("thickness")[0][0], 2);
@@ -82,7 +83,7 @@ TEST(VtkSeries, NamesItsStatesAfterEachOne)
 {
     TemporaryFolder folder;
     SnapshotFixture fixture = small_model();
-    add_made_up_results(fixture);
+    add_simple_results(fixture);
     std::filesystem::create_directory(folder / "vtk");
     std::ofstream(folder / "vtk/result_0009.vtu") << "of an earlier run";
     std::ofstream(folder / "vtk/notes.txt") << "of somebody";
@@ -112,7 +113,7 @@ TEST(VtkSeries, NamesItsStatesAfterEachOne)
 
     const VtkGrid walls = read_vtu(folder / "walls.vtu");
     ASSERT_EQ(walls.points.size(), 4u);
-    for (const auto& point : walls.points) EXPECT_NEAR(point[2], -1, digits);
+    for (const auto& point : walls.points) EXPECT_NEAR(point[2], -1, single_precision);
     EXPECT_EQ(walls.cell_values.at("wall_id")[0][0], 4);
 }
 

@@ -12,13 +12,6 @@ const std::string two_bricks =
     "*PART\nleft\n1,1,1\nright\n2,1,1\n*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,1.,1.\n"
     "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n2,2,2,9,10,3,6,11,12,7\n";
 
-std::vector<Id> ids(const Model& model, const std::vector<Index>& nodes)
-{
-    std::vector<Id> result;
-    for (Index node : nodes) result.push_back(model.nodes.id[node]);
-    return result;
-}
-
 } // namespace
 
 TEST(Curves, ScalesAndOffsetsAreApplied)

@@ -17,8 +17,8 @@ public:
     DeckFolder()
         : path_(std::filesystem::temp_directory_path() /
                 (std::string("plash_parser_") +
-                 testing::UnitTest::GetInstance()->current_test_info()->test_suite_name() + "_" +
-                 testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
+                 ::testing::UnitTest::GetInstance()->current_test_info()->test_suite_name() + "_" +
+                 ::testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
                  std::to_string(::getpid())))
     {
         std::filesystem::create_directories(path_);
@@ -60,6 +60,14 @@ inline std::string errors_of(const ReadResult& result)
         text += line + "\n";
     }
     return text;
+}
+
+/// Numbers of nodes as the deck gives them.
+inline std::vector<Id> ids(const Model& model, const std::vector<Index>& nodes)
+{
+    std::vector<Id> result;
+    for (Index node : nodes) result.push_back(model.nodes.id[node]);
+    return result;
 }
 
 } // namespace plash

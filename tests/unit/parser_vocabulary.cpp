@@ -14,13 +14,6 @@ const std::string base =
     "8,0.,1.,1.\n*PART\nonly\n1,1,1\n*SECTION_SHELL\n1,2\n1.,1.,1.,1.\n*MAT_ELASTIC\n1,1.,1.\n"
     "*MAT_ELASTIC\n2,1.,1.\n*DEFINE_COORDINATE_SYSTEM\n5,0.,0.,0.,1.,0.,0.\n0.,1.,0.\n";
 
-std::vector<Id> ids(const Model& model, const std::vector<Index>& nodes)
-{
-    std::vector<Id> result;
-    for (Index node : nodes) result.push_back(model.nodes.id[node]);
-    return result;
-}
-
 /// The first record of a keyword that has no place of its own in the Model.
 const Record* other(const Model& model, std::string_view keyword)
 {

@@ -14,12 +14,10 @@ namespace plash {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-Curve curve_of(const std::function<double(double)>& f, double from = 0, double to = 1,
-               std::size_t count = 1001)
+TimeCurve curve_of(const std::function<double(double)>& f, double from = 0, double to = 1,
+                   std::size_t count = 1001)
 {
-    Curve curve;
+    TimeCurve curve;
     for (std::size_t i = 0; i < count; ++i) {
         const double time = from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1);
         curve.time.push_back(time);
@@ -30,9 +28,9 @@ Curve curve_of(const std::function<double(double)>& f, double from = 0, double t
 
 } // namespace
 
-TEST(Curve, IsInterpolatedLinearlyAndKeepsItsEnds)
+TEST(TimeCurve, IsInterpolatedLinearlyAndKeepsItsEnds)
 {
-    const Curve curve{{0, 1, 3}, {2, 4, 0}};
+    const TimeCurve curve{{0, 1, 3}, {2, 4, 0}};
     EXPECT_DOUBLE_EQ(value_at(curve, -1), 2);
     EXPECT_DOUBLE_EQ(value_at(curve, 0.25), 2.5);
     EXPECT_DOUBLE_EQ(value_at(curve, 2), 2);
@@ -43,8 +41,9 @@ TEST(Curve, IsInterpolatedLinearlyAndKeepsItsEnds)
 
 TEST(CurveErrors, AFactorIsAllMagnitudeAndNoPhase)
 {
-    const Curve reference = curve_of([](double t) { return std::sin(2 * pi * t) + 0.5; });
-    const Curve larger = curve_of([](double t) { return 1.2 * (std::sin(2 * pi * t) + 0.5); });
+    const TimeCurve reference = curve_of([](double t) { return std::sin(2 * std::numbers::pi * t) + 0.5; });
+    const TimeCurve larger =
+        curve_of([](double t) { return 1.2 * (std::sin(2 * std::numbers::pi * t) + 0.5); });
     const CurveErrors errors = curve_errors(reference, larger);
     EXPECT_NEAR(errors.sprague_geers.magnitude, 0.2, 1e-12);
     EXPECT_NEAR(errors.sprague_geers.phase, 0, 1e-7); // acos near 1 loses half of the digits
@@ -57,18 +56,18 @@ TEST(CurveErrors, AShiftIsAllPhaseAndNoMagnitude)
 {
     // Over whole periods the product of two sines shifted by phi is cos(phi) of their squares.
     const double phi = 0.3;
-    const Curve reference = curve_of([](double t) { return std::sin(4 * pi * t); });
-    const Curve late = curve_of([&](double t) { return std::sin(4 * pi * t - phi); });
+    const TimeCurve reference = curve_of([](double t) { return std::sin(4 * std::numbers::pi * t); });
+    const TimeCurve late = curve_of([&](double t) { return std::sin(4 * std::numbers::pi * t - phi); });
     const CurveErrors errors = curve_errors(reference, late);
     EXPECT_NEAR(errors.sprague_geers.magnitude, 0, 1e-12);
-    EXPECT_NEAR(errors.sprague_geers.phase, phi / pi, 1e-12);
-    EXPECT_NEAR(errors.sprague_geers.comprehensive, phi / pi, 1e-12);
+    EXPECT_NEAR(errors.sprague_geers.phase, phi / std::numbers::pi, 1e-12);
+    EXPECT_NEAR(errors.sprague_geers.comprehensive, phi / std::numbers::pi, 1e-12);
     EXPECT_NEAR(errors.rms, 2 * std::sin(phi / 2) * std::sqrt(0.5), 1e-3); // both end points counted whole
 }
 
 TEST(IsoRating, EqualCurvesAreExcellent)
 {
-    const Curve curve = curve_of([](double t) { return t * std::exp(-5 * t); });
+    const TimeCurve curve = curve_of([](double t) { return t * std::exp(-5 * t); });
     const IsoRating rating = iso_rating(curve, curve);
     EXPECT_DOUBLE_EQ(rating.overall, 1);
     EXPECT_STREQ(rating.grade(), "excellent");
@@ -77,8 +76,8 @@ TEST(IsoRating, EqualCurvesAreExcellent)
 TEST(IsoRating, AnOffsetCostsCorridorAndMagnitudeOnly)
 {
     // |reference| is 1 at most, so an offset of 0.2 scores ((0.5 - 0.2) / 0.45)^2 everywhere.
-    const Curve reference = curve_of([](double t) { return std::cos(2 * pi * t); });
-    const Curve higher = curve_of([](double t) { return std::cos(2 * pi * t) + 0.2; });
+    const TimeCurve reference = curve_of([](double t) { return std::cos(2 * std::numbers::pi * t); });
+    const TimeCurve higher = curve_of([](double t) { return std::cos(2 * std::numbers::pi * t) + 0.2; });
     const IsoRating rating = iso_rating(reference, higher);
     EXPECT_NEAR(rating.corridor, 4.0 / 9, 1e-12);
     EXPECT_DOUBLE_EQ(rating.phase, 1);
@@ -90,7 +89,7 @@ TEST(IsoRating, AnOffsetCostsCorridorAndMagnitudeOnly)
 TEST(IsoRating, AShiftCostsItsShareOfAFifthOfTheSpan)
 {
     const auto hump = [](double t) { return std::exp(-50 * (t - 0.5) * (t - 0.5)); };
-    const Curve reference = curve_of(hump);
+    const TimeCurve reference = curve_of(hump);
     for (const double shift : {0.05, -0.05}) {
         const IsoRating rating = iso_rating(reference, curve_of([&](double t) { return hump(t - shift); }));
         EXPECT_NEAR(rating.phase, 1 - 50 / (0.2 * 1001), 1e-12) << shift;
@@ -138,7 +137,7 @@ TEST(GridConvergence, AveragesHistoriesThatConvergeWithOneOrder)
     // f(t, h) = t (3 - 0.2 h^2): relative to the largest fine value 2.8, the mean difference of h = 1 and 2
     // is 0.6 mean(t) / 2.8, and the factor 2^2 - 1 = 3.
     const auto curve = [](double h) { return curve_of([h](double t) { return t * (3 - 0.2 * h * h); }); };
-    const Curve fine = curve(1), medium = curve(2), coarse = curve(4);
+    const TimeCurve fine = curve(1), medium = curve(2), coarse = curve(4);
     const AveragedConvergence found = averaged_convergence({1, 2, 4}, {&fine, &medium, &coarse});
     EXPECT_NEAR(found.order, 2, 1e-9);
     EXPECT_EQ(found.points, 1000u); // all but t = 0

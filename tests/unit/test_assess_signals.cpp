@@ -9,7 +9,7 @@ namespace plash {
 
 namespace {
 
-const Curve* find(const std::vector<Signal>& signals, const std::string& name)
+const TimeCurve* find(const std::vector<Signal>& signals, const std::string& name)
 {
     for (const Signal& signal : signals) {
         if (signal.name == name) return &signal.curve;
@@ -46,7 +46,7 @@ TEST(Signals, OfRcforcAreThoseOfBothSides)
         "  slave           2 time 1.50000E-01  x  3.00000E+00  y -2.00000E+00  z  0.00000E+00 mass  "
         "0.00000E+00  mx  0.00000E+00  my  0.00000E+00  mz  6.00000E+00\n"
         "  master          2 time 1.50000E-01  x  3.0");
-    const Curve* x = find(signals, "rcforc/2/slave_x");
+    const TimeCurve* x = find(signals, "rcforc/2/slave_x");
     ASSERT_NE(x, nullptr);
     EXPECT_EQ(x->time, (std::vector<double>{0, 0.15}));
     EXPECT_EQ(x->value, (std::vector<double>{1, 3}));

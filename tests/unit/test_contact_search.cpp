@@ -16,7 +16,7 @@ using testing::ContactModel;
 struct Scenery {
     ContactModel built;
     ContactMesh mesh;
-    MeshMotion motion;
+    ContactMotion motion;
 
     void finish(Contact::Kind kind = Contact::Kind::single_surface)
     {
@@ -94,7 +94,7 @@ TEST(ContactSearch, SearchesWhenNodesHaveMovedByTheMarginRelativeToOneAnother)
 {
     Scenery scenery = heap(2, 6);
     PairSearch search(scenery.mesh, scenery.built.model.solids.nodes);
-    MeshMotion& motion = scenery.motion;
+    ContactMotion& motion = scenery.motion;
     const auto searched_after = [&](double path, double step) {
         motion.travelled += path;
         motion.step_range = step;

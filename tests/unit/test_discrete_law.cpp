@@ -21,8 +21,8 @@ double moved(const DiscreteLaw& law, DiscreteLaw::State& state, double deflectio
     return force;
 }
 
-DiscreteLaw law_of(const char* keyword, std::vector<std::pair<const char*, double>> fields,
-                   const Model& model = {})
+DiscreteLaw discrete_law_of(const char* keyword, std::vector<std::pair<const char*, double>> fields,
+                            const Model& model = {})
 {
     return DiscreteLaw::from_record(make_record(keyword, std::move(fields)), model);
 }
@@ -31,7 +31,7 @@ DiscreteLaw law_of(const char* keyword, std::vector<std::pair<const char*, doubl
 
 TEST(DiscreteLaw, ElastoplasticSpringsFollowTheirBilinearPath)
 {
-    const DiscreteLaw law = law_of("MAT_SPRING_ELASTOPLASTIC", {{"K", 10}, {"KT", 2}, {"FY", 5}});
+    const DiscreteLaw law = discrete_law_of("MAT_SPRING_ELASTOPLASTIC", {{"K", 10}, {"KT", 2}, {"FY", 5}});
     DiscreteLaw::State state;
     EXPECT_NEAR(moved(law, state, 0.4), 4, 1e-12);
     EXPECT_NEAR(moved(law, state, 1.5), 5 + 2 * 1.0, 1e-12);
@@ -42,7 +42,7 @@ TEST(DiscreteLaw, ElastoplasticSpringsFollowTheirBilinearPath)
 
 TEST(DiscreteLaw, MaxwellSpringsRelaxAsTheExponential)
 {
-    const DiscreteLaw law = law_of("MAT_SPRING_MAXWELL", {{"K0", 10}, {"KI", 3}, {"BETA", 2}});
+    const DiscreteLaw law = discrete_law_of("MAT_SPRING_MAXWELL", {{"K0", 10}, {"KI", 3}, {"BETA", 2}});
     DiscreteLaw::State state;
     moved(law, state, 1, 1, 1e-9); // a jump: all of K0
     EXPECT_NEAR(state.force, 10, 1e-7);
@@ -58,16 +58,16 @@ TEST(DiscreteLaw, CurvesMirrorAndInelasticSpringsUnloadAlongTheirStiffness)
 {
     Model model;
     add_curve(model, {0, 1, 2}, {0, 4, 5});
-    const DiscreteLaw nonlinear = law_of("MAT_SPRING_NONLINEAR_ELASTIC", {{"LCD", 1}}, model);
+    const DiscreteLaw nonlinear = discrete_law_of("MAT_SPRING_NONLINEAR_ELASTIC", {{"LCD", 1}}, model);
     DiscreteLaw::State state;
     EXPECT_NEAR(moved(nonlinear, state, 1.5), 4.5, 1e-12);
     EXPECT_NEAR(moved(nonlinear, state, -0.5), -2, 1e-12);
-    const DiscreteLaw damper = law_of("MAT_DAMPER_NONLINEAR_VISCOUS", {{"LCDR", 1}}, model);
+    const DiscreteLaw damper = discrete_law_of("MAT_DAMPER_NONLINEAR_VISCOUS", {{"LCDR", 1}}, model);
     DiscreteLaw::State still;
     EXPECT_NEAR(moved(damper, still, -2), -5, 1e-12);
 
     // Compression only (CTF = 1): the way is minus the deflection.
-    const DiscreteLaw inelastic = law_of("MAT_SPRING_INELASTIC", {{"LCFD", 1}, {"KU", 20}}, model);
+    const DiscreteLaw inelastic = discrete_law_of("MAT_SPRING_INELASTIC", {{"LCFD", 1}, {"KU", 20}}, model);
     DiscreteLaw::State crushed;
     EXPECT_NEAR(moved(inelastic, crushed, -1.5, 100), -4.5, 1e-12);
     EXPECT_NEAR(moved(inelastic, crushed, -1.4, 10), -2.5, 1e-12);

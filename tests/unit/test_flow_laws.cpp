@@ -36,7 +36,7 @@ double expected(double strain, double young_modulus, const std::function<double(
     return flow(low);
 }
 
-PiecewiseLinearPlasticity law_of(const char* keyword, std::vector<std::pair<const char*, double>> fields)
+PiecewiseLinearPlasticity flow_law_of(const char* keyword, std::vector<std::pair<const char*, double>> fields)
 {
     return PiecewiseLinearPlasticity::from_record(make_record(keyword, std::move(fields)), Model{});
 }
@@ -47,7 +47,7 @@ TEST(FlowLaws, PowerLawStartsWhereItMeetsTheElasticLine)
 {
     const double e = 200, k = 0.6, n = 0.2;
     const auto law =
-        law_of("MAT_POWER_LAW_PLASTICITY", {{"RO", 1}, {"E", e}, {"PR", 0.3}, {"K", k}, {"N", n}});
+        flow_law_of("MAT_POWER_LAW_PLASTICITY", {{"RO", 1}, {"E", e}, {"PR", 0.3}, {"K", k}, {"N", n}});
     const double start = std::pow(e / k, 1 / (n - 1));
     for (double strain : {0.003, 0.02, 0.3}) {
         const double stress = expected(strain, e, [&](double p) { return k * std::pow(start + p, n); });
@@ -58,7 +58,7 @@ TEST(FlowLaws, PowerLawStartsWhereItMeetsTheElasticLine)
 TEST(FlowLaws, JohnsonCookHardensAndFollowsTheLogarithmOfTheRate)
 {
     const double e = 200, a = 0.3, b = 0.5, n = 0.35, c = 0.02, reference = 1e-3;
-    const auto law = law_of(
+    const auto law = flow_law_of(
         "MAT_SIMPLIFIED_JOHNSON_COOK",
         {{"RO", 1}, {"E", e}, {"PR", 0.3}, {"A", a}, {"B", b}, {"N", n}, {"C", c}, {"EPSO", reference}});
     for (double duration : {1e6, 1.0, 0.003}) {
@@ -72,8 +72,8 @@ TEST(FlowLaws, JohnsonCookHardensAndFollowsTheLogarithmOfTheRate)
 
 TEST(FlowLaws, IsotropicLawHasTheModuliOfItsCard)
 {
-    const auto law = law_of("MAT_ISOTROPIC_ELASTIC_PLASTIC",
-                            {{"RO", 1}, {"G", 80}, {"BULK", 160}, {"SIGY", 0.4}, {"ETAN", 2}});
+    const auto law = flow_law_of("MAT_ISOTROPIC_ELASTIC_PLASTIC",
+                                 {{"RO", 1}, {"G", 80}, {"BULK", 160}, {"SIGY", 0.4}, {"ETAN", 2}});
     EXPECT_NEAR(law.shear_modulus(), 80, 1e-12);
     EXPECT_NEAR(law.bulk_modulus(), 160, 1e-12);
     const double e = law.young_modulus, strain = 0.05;

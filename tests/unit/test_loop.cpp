@@ -59,7 +59,10 @@ TEST(ExplicitLoop, WallStopsAMassAndBooksItsEnergy)
     RigidWall wall;
     wall.normal = {0, 0, 1};
     model.rigid_walls.push_back(wall);
-    model.initial_velocities.push_back({{0}, {3, 0, -4}, 0, {}, {0, 0, 1}, {}, false, {}});
+    InitialVelocity thrown;
+    thrown.nodes = {0};
+    thrown.translation = {3, 0, -4};
+    model.initial_velocities.push_back(thrown);
     Scene scene = make_scene(model);
     scene.terms.clear();
     scene.terms.push_back(std::make_unique<PointMass>(scene.state, 0, 2.0, 0.01));

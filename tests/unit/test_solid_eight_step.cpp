@@ -12,13 +12,13 @@ namespace plash {
 
 namespace {
 
-using Law = PlasticKinematic<false>;
-using Point = RatePoint<Law>;
-constexpr int history_size = first_gauss_point + solid_gauss_points * eight_point_size<Point>;
+using EightPointLaw = PlasticKinematic<false>;
+using EightPoint = RatePoint<EightPointLaw>;
+constexpr int history_size = first_gauss_point + solid_gauss_points * eight_point_size<EightPoint>;
 
-Point steel(double yield)
+EightPoint plastic_steel(double yield)
 {
-    return {Law::from_record(
+    return {EightPointLaw::from_record(
         make_record("MAT_PLASTIC_KINEMATIC",
                     {{"RO", 2}, {"E", 100}, {"PR", 0.3}, {"SIGY", yield}, {"ETAN", 5}, {"BETA", 1}}),
         Model{})};
@@ -72,8 +72,9 @@ TEST_P(EightPointStep, ForcesDoTheWorkThatTheEnergyShows)
     for (int seed = 1; seed <= 5; ++seed) {
         const Element element(seed, 1e-8);
         std::vector<double> history(history_size), constants = constants_of(element);
-        const auto result = eight_point_step(steel(1e9), parameters(), GetParam(), modes(element.corner),
-                                             modes(element.velocity), 1.0, history.data(), constants.data());
+        const auto result =
+            eight_point_step(plastic_steel(1e9), parameters(), GetParam(), modes(element.corner),
+                             modes(element.velocity), 1.0, history.data(), constants.data());
         double power = 0;
         Vec3 sum{}, moment{};
         for_corners(result.force, [&](int corner, const Vec3& force) {
@@ -109,13 +110,13 @@ TEST_P(EightPointStep, LanesEqualTheScalarReference)
     }
     SolidParameters settings = parameters();
     settings.viscosity = {1.5, 0.06};
-    const auto batch = eight_point_step(steel(0.3), settings, GetParam(), modes_of<Lanes>(corner),
+    const auto batch = eight_point_step(plastic_steel(0.3), settings, GetParam(), modes_of<Lanes>(corner),
                                         modes_of<Lanes>(velocity), 1.0, history.data(), constants.data());
     bool plastic = false;
     for (int lane = 0; lane < lane_count; ++lane) {
         std::vector<double> own(history_size), own_constants = constants_of(elements[lane]);
         const auto single =
-            eight_point_step(steel(0.3), settings, GetParam(), modes(elements[lane].corner),
+            eight_point_step(plastic_steel(0.3), settings, GetParam(), modes(elements[lane].corner),
                              modes(elements[lane].velocity), 1.0, own.data(), own_constants.data());
         EXPECT_NEAR(batch.force.linear[0].x[lane], single.force.linear[0].x, 1e-12);
         EXPECT_NEAR(batch.force.hourglass[3].z[lane], single.force.hourglass[3].z, 1e-12);

@@ -11,15 +11,15 @@ namespace plash {
 
 namespace {
 
-using K = WendlandC2;
+using TestKernel = WendlandC2;
 
 /// A disordered block with two parts, random velocities and densities, in tension and in compression.
-struct Block {
+struct TwoPartBlock {
     ParticleWorld world;
     std::unique_ptr<ParticleBody> body;
     int dimension;
 
-    Block(int dimension, bool volume_weighted) : dimension(dimension)
+    TwoPartBlock(int dimension, bool volume_weighted) : dimension(dimension)
     {
         world.options.kernel = Kernel::wendland_c2;
         world.options.dimension = dimension;
@@ -66,7 +66,7 @@ struct Pair {
 };
 
 template <class Work>
-void for_pairs(const Block& block, Index i, Work&& work)
+void for_pairs(const TwoPartBlock& block, Index i, Work&& work)
 {
     const ParticleArrays& a = block.arrays();
     const int d = block.dimension;
@@ -76,14 +76,14 @@ void for_pairs(const Block& block, Index i, Work&& work)
         pair.apart = a.motion[i].position - a.motion[j].position;
         const double r = norm(pair.apart), h = 0.5 * (a.motion[i].smoothing + a.motion[j].smoothing);
         pair.smoothing = h;
-        pair.kernel = K::norm(d) / std::pow(h, d) * K::value(r / h);
-        pair.gradient = K::norm(d) / std::pow(h, d + 1) * K::slope(r / h) / r * pair.apart;
+        pair.kernel = TestKernel::norm(d) / std::pow(h, d) * TestKernel::value(r / h);
+        pair.gradient = TestKernel::norm(d) / std::pow(h, d + 1) * TestKernel::slope(r / h) / r * pair.apart;
         pair.mass = a.mass[j];
         pair.density_i = a.density[i];
         pair.density_j = a.density[j];
         pair.volume = a.mass[j] / a.density[j];
         const double mean_volume = 0.5 * (a.mass[i] / a.density[i] + pair.volume);
-        pair.f = K::value(r / h) / K::value(std::pow(mean_volume, 1.0 / d) / h);
+        pair.f = TestKernel::value(r / h) / TestKernel::value(std::pow(mean_volume, 1.0 / d) / h);
         pair.sound = 0.5 * (a.push[i].sound + a.push[j].sound);
         work(j, pair);
     }
@@ -91,15 +91,15 @@ void for_pairs(const Block& block, Index i, Work&& work)
 
 } // namespace
 
-class SphCorrections : public testing::TestWithParam<std::pair<int, bool>> {};
+class SphCorrections : public ::testing::TestWithParam<std::pair<int, bool>> {};
 
 TEST_P(SphCorrections, DriftsAreTheirSums)
 {
     const auto [dimension, volumes] = GetParam();
-    const Block block(dimension, volumes);
+    const TwoPartBlock block(dimension, volumes);
     const auto sums_in = [&, dimension = dimension, volumes = volumes]<class Lane>(Lane) {
         return block.sums<Lane, DriftSums>([&](const NeighbourRun& run, DriftSums* sums) {
-            return DriftPass<Lane, K>(block.records(), run.begin, dimension, volumes, sums);
+            return DriftPass<Lane, TestKernel>(block.records(), run.begin, dimension, volumes, sums);
         });
     };
     const auto plain = sums_in(double{}), lanes = sums_in(Lanes{});
@@ -128,10 +128,10 @@ TEST_P(SphCorrections, DriftsAreTheirSums)
 TEST_P(SphCorrections, TensileForcesActBetweenStretchedParticlesAlone)
 {
     const auto [dimension, volumes] = GetParam();
-    const Block block(dimension, volumes);
+    const TwoPartBlock block(dimension, volumes);
     const auto sums_in = [&, dimension = dimension, volumes = volumes]<class Lane>(Lane) {
         return block.sums<Lane, ForceSums>([&](const NeighbourRun& run, ForceSums* sums) {
-            return TensileForce<Lane, K>(block.records(), run.begin, dimension, volumes, 0.3, sums);
+            return TensileForce<Lane, TestKernel>(block.records(), run.begin, dimension, volumes, 0.3, sums);
         });
     };
     const auto plain = sums_in(double{}), lanes = sums_in(Lanes{});
@@ -158,7 +158,7 @@ TEST_P(SphCorrections, TensileForcesActBetweenStretchedParticlesAlone)
 TEST_P(SphCorrections, DiffusionLeavesMassAndTheHydrostaticStateAlone)
 {
     const auto [dimension, volumes] = GetParam();
-    const Block block(dimension, volumes);
+    const TwoPartBlock block(dimension, volumes);
     const ParticleArrays& a = block.arrays();
     const Vec3 gravity{0, -0.7, 0};
     const DensityDiffusion diffusion{0.1, gravity, a.push.data(), a.part.data(), a.image.data(), volumes};
@@ -166,8 +166,8 @@ TEST_P(SphCorrections, DiffusionLeavesMassAndTheHydrostaticStateAlone)
         return block.sums<Lane, double>([&](const NeighbourRun& run, double* spread) {
             static std::vector<double> rate;
             rate.assign(run.length(), 0);
-            return DensityRate<Lane, K, true>(a.motion.data(), run.begin, dimension, 0, rate.data(),
-                                              diffusion, spread);
+            return DensityRate<Lane, TestKernel, true>(a.motion.data(), run.begin, dimension, 0, rate.data(),
+                                                       diffusion, spread);
         });
     };
     const auto plain = spread_in(double{}), lanes = spread_in(Lanes{});
@@ -194,14 +194,14 @@ TEST_P(SphCorrections, DiffusionLeavesMassAndTheHydrostaticStateAlone)
 TEST_P(SphCorrections, FilteredDensityIsTheMeanOfTheNeighbours)
 {
     const auto [dimension, volumes] = GetParam();
-    const Block block(dimension, volumes);
+    const TwoPartBlock block(dimension, volumes);
     const ParticleArrays& a = block.arrays();
     const int d = dimension;
     const auto density_in = [&, dimension = dimension, volumes = volumes]<class Lane>(Lane) {
         std::vector<double> mass(a.motion.size()), volume(a.motion.size());
         for (const NeighbourRun& run : block.body->runs()) {
-            DensityFilter<Lane, K> pass(block.records(), run.begin, dimension, volumes,
-                                        mass.data() + run.begin, volume.data() + run.begin);
+            DensityFilter<Lane, TestKernel> pass(block.records(), run.begin, dimension, volumes,
+                                                 mass.data() + run.begin, volume.data() + run.begin);
             walk_pairs<Lane>(run, pass);
         }
         for (std::size_t p = 0; p < mass.size(); ++p) mass[p] /= volume[p];
@@ -209,7 +209,7 @@ TEST_P(SphCorrections, FilteredDensityIsTheMeanOfTheNeighbours)
     };
     const auto plain = density_in(double{}), lanes = density_in(Lanes{});
     for (Index i = 0; i < a.size(); i += 3) {
-        const double self = K::norm(d) / std::pow(a.motion[i].smoothing, d) * K::value(0.0);
+        const double self = TestKernel::norm(d) / std::pow(a.motion[i].smoothing, d) * TestKernel::value(0.0);
         double mass = self * a.mass[i], volume = self * a.mass[i] / a.density[i];
         for_pairs(block, i, [&](Index, const Pair& p) {
             mass += p.mass * p.kernel;
@@ -221,8 +221,8 @@ TEST_P(SphCorrections, FilteredDensityIsTheMeanOfTheNeighbours)
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, SphCorrections,
-                         testing::Values(std::pair{2, false}, std::pair{2, true}, std::pair{3, false},
-                                         std::pair{3, true}));
+                         ::testing::Values(std::pair{2, false}, std::pair{2, true}, std::pair{3, false},
+                                           std::pair{3, true}));
 
 /// Particles that fly out of the box, or too fast, take their energies with them; the rest goes on.
 TEST(SphLeaving, ParticlesOutsideTheBoxLeaveWithTheirEnergy)

@@ -10,10 +10,10 @@ namespace plash {
 namespace {
 
 template <class K>
-class SphKernel : public testing::Test {};
+class SphKernel : public ::testing::Test {};
 
 using AllKernels =
-    testing::Types<CubicSpline, QuarticSpline, QuinticSpline, QuadraticKernel, WendlandC2, WendlandC4>;
+    ::testing::Types<CubicSpline, QuarticSpline, QuinticSpline, QuadraticKernel, WendlandC2, WendlandC4>;
 struct KernelName {
     template <class K>
     static std::string GetName(int)

@@ -91,7 +91,7 @@ TEST(LaneLines, EstimatesKeepEightDigits)
     }
 }
 
-class SphPasses : public testing::TestWithParam<std::pair<Kernel, int>> {};
+class SphPasses : public ::testing::TestWithParam<std::pair<Kernel, int>> {};
 
 /// The lanes differ from the plain text by the estimates (6e-9) and by the order of sums.
 TEST_P(SphPasses, LanesEqualTheScalarReference)
@@ -155,9 +155,9 @@ TEST_P(SphPasses, EqualTheDoubleSumOverAllParticles)
 
 INSTANTIATE_TEST_SUITE_P(
     Kernels, SphPasses,
-    testing::Values(std::pair{Kernel::cubic_spline, 3}, std::pair{Kernel::cubic_spline, 2},
-                    std::pair{Kernel::quintic_spline, 3}, std::pair{Kernel::quadratic, 2},
-                    std::pair{Kernel::quartic_spline, 3}, std::pair{Kernel::wendland_c2, 3},
-                    std::pair{Kernel::wendland_c4, 2}));
+    ::testing::Values(std::pair{Kernel::cubic_spline, 3}, std::pair{Kernel::cubic_spline, 2},
+                      std::pair{Kernel::quintic_spline, 3}, std::pair{Kernel::quadratic, 2},
+                      std::pair{Kernel::quartic_spline, 3}, std::pair{Kernel::wendland_c2, 3},
+                      std::pair{Kernel::wendland_c4, 2}));
 
 } // namespace plash

@@ -1,12 +1,11 @@
 #include "tests/support/ale_samples.h"
 
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace plash {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 enum class Shape { disc, slotted_disc, square };
 
@@ -42,10 +41,10 @@ Result turn(Shape shape, int cells, AdvectionOrder order = AdvectionOrder::van_l
     set_mean_velocity(fluid, [](double x, double, double z) {
         return std::array<double, 3>{-(z - 0.5), 0, x - 0.5};
     });
-    const int steps =
-        static_cast<int>(std::ceil(2 * pi * 0.5 * cells / 0.25)); // at most a quarter cell a step
+    const int steps = static_cast<int>(
+        std::ceil(2 * std::numbers::pi * 0.5 * cells / 0.25)); // at most a quarter cell a step
     Result result{};
-    result.extremes = carry(fluid, 2 * pi / steps, steps);
+    result.extremes = carry(fluid, 2 * std::numbers::pi / steps, steps);
     double sum = 0;
     std::size_t cell = 0;
     for_cells(fluid.grid, [&](int i, int j, int k) {
@@ -66,14 +65,14 @@ double turn_hump(int cells, AdvectionOrder order)
     fluid.order = order;
     const auto density = [&](int i, int k) {
         const double r = std::hypot(fluid.grid.centre(0, i) - 0.5, fluid.grid.centre(2, k) - 0.7) / 0.25;
-        return r < 1 ? 1 + std::pow(std::cos(0.5 * pi * r), 2) : 1;
+        return r < 1 ? 1 + std::pow(std::cos(0.5 * std::numbers::pi * r), 2) : 1;
     };
     for_cells(fluid.grid, [&](int i, int j, int k) { fluid.fill_cell(i, j, k, 0, 1, density(i, k), 0); });
     set_mean_velocity(fluid, [](double x, double, double z) {
         return std::array<double, 3>{-(z - 0.5), 0, x - 0.5};
     });
-    const int steps = static_cast<int>(std::ceil(2 * pi * 0.5 * cells / 0.25));
-    carry(fluid, 2 * pi / steps, steps);
+    const int steps = static_cast<int>(std::ceil(2 * std::numbers::pi * 0.5 * cells / 0.25));
+    carry(fluid, 2 * std::numbers::pi / steps, steps);
     double error = 0, sum = 0;
     for_cells(fluid.grid, [&](int i, int j, int k) {
         const double after = fluid.fields.groups[0].mass[fluid.grid.at(i, j, k)] / fluid.grid.volume(i, j, k);

@@ -2,6 +2,7 @@
 #include "tests/support/ale_samples.h"
 
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include <cmath>
 
@@ -10,8 +11,6 @@ namespace plash {
 namespace {
 
 using testing::EulerianRun;
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Part 20: a rigid shell, and its coupling with the mesh part 10 and the densest group.
 std::string rigid_part(double density, int fixed_translations, int fixed_rotations,
@@ -92,7 +91,7 @@ double leak(int elements_per_edge, const std::string& coupling, double end)
 double wedge_force_slope(double deadrise_degrees, int cells)
 {
     constexpr double density = 1000, speed = 1, sound = 60;
-    const double rise = std::tan(deadrise_degrees * pi / 180), end = rise, cell = 1.0 / cells;
+    const double rise = std::tan(deadrise_degrees * std::numbers::pi / 180), end = rise, cell = 1.0 / cells;
     const int fine = 2 * cells, above = cells, below = cells;
     std::string mesh = "*ALE_STRUCTURED_MESH\n1,10,1,1\n1,2,3\n";
     // Fine cells as far as the jet gets, then growing ones up to walls far away.

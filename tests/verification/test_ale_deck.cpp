@@ -3,6 +3,7 @@
 #include "tests/support/ale_samples.h"
 
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include <algorithm>
 #include <numeric>
@@ -13,8 +14,6 @@ namespace plash {
 namespace {
 
 using testing::EulerianRun;
-
-constexpr double pi = 3.14159265358979323846;
 
 /// The same box of cells as nodes and elements in a shuffled order, some elements turned about.
 std::string shuffled_mesh(std::array<double, 3> high, std::array<int, 3> cells)
@@ -106,15 +105,15 @@ TEST(AleDeck, ContainersFillTheirVolumes)
                         "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n" + containers + testing::closed(0));
         return testing::liquid_volume(run.term<EulerianFluid>().fluid());
     };
-    const double ball = 4 * pi / 3 * 0.027;
+    const double ball = 4 * std::numbers::pi / 3 * 0.027;
     EXPECT_NEAR(filled("6,0,1\n0.51,0.47,0.49,0.3\n"), ball, 1e-3 * ball);
     EXPECT_NEAR(filled("6,1,1\n0.51,0.47,0.49,0.3\n"), 1 - ball, 1e-3 * ball);
-    const double cone = pi / 3 * 0.6 * (0.04 + 0.02 + 0.01);
+    const double cone = std::numbers::pi / 3 * 0.6 * (0.04 + 0.02 + 0.01);
     EXPECT_NEAR(filled("4,0,1\n0.5,0.5,0.2,0.5,0.5,0.8,0.2,0.1\n"), cone, 1e-3 * cone);
     EXPECT_NEAR(filled("3,0,1\n0.5,0.5,0.43,0.3,0.2,-1\n"), 0.43, 1e-12);
     // A shell of liquid: the outer ball filled, the inner one emptied again.
-    EXPECT_NEAR(filled("6,0,1\n0.5,0.5,0.5,0.4\n6,0,2\n0.5,0.5,0.5,0.2\n"), 4 * pi / 3 * (0.064 - 0.008),
-                1e-3 * 4 * pi / 3 * 0.064);
+    EXPECT_NEAR(filled("6,0,1\n0.5,0.5,0.5,0.4\n6,0,2\n0.5,0.5,0.5,0.2\n"),
+                4 * std::numbers::pi / 3 * (0.064 - 0.008), 1e-3 * 4 * std::numbers::pi / 3 * 0.064);
     EXPECT_NEAR(filled("5,0,1\n0.11,0.22,0.33,0.77,0.83,0.94\n"), 0.66 * 0.61 * 0.61, 1e-12);
 }
 

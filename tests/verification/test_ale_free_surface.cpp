@@ -1,12 +1,12 @@
 #include "tests/support/ale_samples.h"
 
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace plash {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double fall = 9.81;
 
 /// Water with a soft spring, so that a case of milliseconds of sound becomes one of seconds; flow speeds stay
@@ -82,13 +82,15 @@ TEST(AleFreeSurface, StillWaterStaysStill)
 // First sloshing mode: omega^2 = g k tanh(k h) (Lamb 1932, article 228); amplitude of a third of a cell.
 TEST(AleFreeSurface, SloshingHasTheLinearPeriod)
 {
-    const double wave_number = pi, depth = 0.5;
-    const double period = 2 * pi / std::sqrt(fall * wave_number * std::tanh(wave_number * depth));
+    const double wave_number = std::numbers::pi, depth = 0.5;
+    const double period =
+        2 * std::numbers::pi / std::sqrt(fall * wave_number * std::tanh(wave_number * depth));
     double errors[2];
     for (int mesh = 0; mesh < 2; ++mesh) {
         const int cells = mesh == 0 ? 16 : 32;
-        BoxFluid fluid = filled_sheet(1, 0.75, cells, cells * 3 / 4, 30,
-                                      [&](double x) { return depth + 0.01 * std::cos(pi * x); });
+        BoxFluid fluid = filled_sheet(1, 0.75, cells, cells * 3 / 4, 30, [&](double x) {
+            return depth + 0.01 * std::cos(std::numbers::pi * x);
+        });
         const auto mode = [&] {
             double sum = 0;
             for (int i = 0; i < cells; ++i) {
@@ -96,7 +98,7 @@ TEST(AleFreeSurface, SloshingHasTheLinearPeriod)
                 for (int k = 0; k < fluid.grid.cells(2); ++k) {
                     column += fluid.fields.groups[0].fraction[fluid.grid.at(i, 0, k)] / cells;
                 }
-                sum += (column - depth) * std::cos(pi * fluid.grid.centre(0, i)) * 2 / cells;
+                sum += (column - depth) * std::cos(std::numbers::pi * fluid.grid.centre(0, i)) * 2 / cells;
             }
             return sum;
         };
@@ -178,7 +180,7 @@ TEST(AleMixture, RayleighTaylorGrowsAsItShould)
         fluid.held = walls_of_box(fluid.grid);
         fluid.gravity = {0, 0, -1};
         for_cells(fluid.grid, [&](int i, int j, int k) {
-            const double surface = 1 + amplitude * std::cos(2 * pi * fluid.grid.centre(0, i));
+            const double surface = 1 + amplitude * std::cos(2 * std::numbers::pi * fluid.grid.centre(0, i));
             const double below = std::clamp((surface - fluid.grid.planes(2)[k]) * cells, 0.0, 1.0);
             const double z = fluid.grid.centre(2, k);
             const double pressure = base + (z > 1 ? heavy * (height - z) : heavy + light * (1 - z));
@@ -193,7 +195,7 @@ TEST(AleMixture, RayleighTaylorGrowsAsItShould)
             double sum = 0;
             for_cells(fluid.grid, [&](int i, int j, int k) {
                 sum += fluid.fields.groups[0].fraction[fluid.grid.at(i, j, k)] *
-                       std::cos(2 * pi * fluid.grid.centre(0, i)) * 4 / cells / cells;
+                       std::cos(2 * std::numbers::pi * fluid.grid.centre(0, i)) * 4 / cells / cells;
             });
             return sum;
         };
@@ -221,7 +223,7 @@ TEST(AleMixture, RayleighTaylorGrowsAsItShould)
     }
     const double at_interface = (base + heavy) / (speed * speed);
     const double atwood = (heavy - light) / (heavy + light + 2 * at_interface);
-    const double expected = std::sqrt(atwood * 2 * pi * std::tanh(2 * pi));
+    const double expected = std::sqrt(atwood * 2 * std::numbers::pi * std::tanh(2 * std::numbers::pi));
     const double extrapolated = 1 / std::sqrt(2 * inverse_square[1] - inverse_square[0]);
     EXPECT_NEAR(1 / std::sqrt(inverse_square[1]) / expected, 1, 0.10);
     EXPECT_NEAR(extrapolated / expected, 1, 0.03);

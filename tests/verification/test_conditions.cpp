@@ -16,8 +16,6 @@ using testing::point_masses;
 using testing::run_to_end;
 using testing::set_velocity;
 
-constexpr double pi = std::numbers::pi;
-
 Record elastic(double density, double young, double poisson)
 {
     return testing::record_of("MAT_ELASTIC", 1, {{"RO", density}, {"E", young}, {"PR", poisson}});
@@ -114,7 +112,7 @@ TEST(BodyLoads, ASpinningRingHasItsHoopStress)
                               {{"ELFORM", 2}, {"NIP", 2}, {"T1", 0.1}});
     for (int j = 0; j < 2; ++j) {
         for (int i = 0; i < count; ++i) {
-            const double angle = 2 * pi * i / count;
+            const double angle = 2 * std::numbers::pi * i / count;
             add_node(model, {radius * std::cos(angle), radius * std::sin(angle), 1.0 * j});
         }
     }
@@ -199,7 +197,7 @@ TEST(Damping, AnOscillatorDecaysByItsDecrement)
     // Central difference: sin(w h / 2) = w_0 h / 2, less the share of the damping.
     const double undamped = 10.0, shift = std::asin(0.5 * undamped * 0.01) / (0.5 * 0.01);
     const double expected = std::sqrt(shift * shift - 0.25 * rate * rate);
-    EXPECT_NEAR(2 * pi * (peaks.size() - 1) / elapsed, expected, 1e-3 * expected);
+    EXPECT_NEAR(2 * std::numbers::pi * (peaks.size() - 1) / elapsed, expected, 1e-3 * expected);
     EXPECT_NEAR(scene.ledger.damping, 0.5 * 0.5 * 1e-10 * (1 - std::exp(-rate * 6.5)), 0.02 * 0.25e-10);
     EXPECT_LT(scene.ledger.balance_error(), 1e-4);
 }
@@ -234,7 +232,7 @@ TEST(NonReflecting, TakesUpMoreThan99PercentOfAPulse)
         hold(model, all, axis == 0 ? 6u : 5u);
         block.set_velocity([&](const Vec3& x) {
             const double distance = std::abs(x.x - 60);
-            const double v = distance < 15 ? 0.5e-3 * (1 + std::cos(pi * distance / 15)) : 0;
+            const double v = distance < 15 ? 0.5e-3 * (1 + std::cos(std::numbers::pi * distance / 15)) : 0;
             return axis == 0 ? Vec3{v, 0, 0} : Vec3{0, v, 0};
         });
         NonReflectingBoundary boundary;
@@ -258,7 +256,7 @@ TEST(Fixities, HoldFreedomsAlongLocalAxesAndOnSlidingPlanes)
 {
     Model model = point_masses({{0, 0, 0}, {0, 0, 0}}, 1.0, 1.0, 128);
     CoordinateSystem system; // turned by 30 degrees about z
-    const double c = std::cos(pi / 6), s = std::sin(pi / 6);
+    const double c = std::cos(std::numbers::pi / 6), s = std::sin(std::numbers::pi / 6);
     system.axes = {Vec3{c, s, 0}, Vec3{-s, c, 0}, Vec3{0, 0, 1}};
     model.coordinate_systems.push_back(system);
     FixedNodes fixed;

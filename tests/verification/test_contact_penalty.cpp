@@ -47,7 +47,7 @@ struct CubeOverPlate {
     {
         State state = mesh.state();
         for (Index node = 0; node < first_cube_node; ++node) state.mass[node] = 0; // held by nobody: stays
-        Scene scene{mesh.model, std::move(state), {}, {}, 0};
+        Scene scene{mesh.model, std::move(state), {}, {}, 0, {}};
         auto springs = std::make_unique<Springs>();
         springs->add_solids(mesh.model, spring_stiffness);
         scene.terms.push_back(std::move(springs));

@@ -13,7 +13,6 @@ namespace {
 using testing::diagonal;
 using testing::RigidScene;
 using Type = Joint::Type;
-constexpr double pi = std::numbers::pi;
 constexpr FreedomMask ground = 63;
 
 /// A bar from a pivot at the origin that starts `angle` from hanging straight down, on a revolute joint whose
@@ -43,7 +42,7 @@ struct Pendulum {
 /// (omega dt)^2 / 24 = 4e-7 at 2,000 steps a period; the angle at the crossing is interpolated linearly.
 TEST(RigidJoints, PendulumHasThePeriodOfTheEllipticIntegral)
 {
-    const double start = pi / 3;
+    const double start = std::numbers::pi / 3;
     Pendulum pendulum(start);
     RigidScene& scene = pendulum.scene;
     const double scale = std::sqrt(pendulum.about_pivot() / (Pendulum::mass * Pendulum::g * Pendulum::arm));
@@ -82,7 +81,7 @@ TEST(RigidJoints, PendulumHasThePeriodOfTheEllipticIntegral)
 /// The error of the period falls with the square of the step.
 TEST(RigidJoints, PendulumConvergesWithTheSquareOfTheStep)
 {
-    const double start = pi / 3;
+    const double start = std::numbers::pi / 3;
     const auto place_after = [&](int steps) { // after a quarter period at twice the time of the crossing
         Pendulum pendulum(start);
         pendulum.scene.start(1.0 / steps);
@@ -108,7 +107,7 @@ TEST(RigidJoints, LevelTopPrecessesSteadily)
     scene.gravity = {0, 0, -g};
     const double precession = mass * g * arm / (axial * spin);
     give_velocity(scene.draft(top), {0, precession * arm, 0}, {spin, 0, precession});
-    const double quarter = 0.5 * pi / precession;
+    const double quarter = 0.5 * std::numbers::pi / precession;
     const int steps = 20000;
     scene.start(quarter / steps);
     double lowest = 0;
@@ -118,7 +117,7 @@ TEST(RigidJoints, LevelTopPrecessesSteadily)
     }
     const Vec3 center = scene.bodies->bodies()[1].center;
     // The wheel turns 7.5e-3 a step: errors of second order of it.
-    EXPECT_NEAR(std::atan2(center.y, center.x), 0.5 * pi, 1e-4);
+    EXPECT_NEAR(std::atan2(center.y, center.x), 0.5 * std::numbers::pi, 1e-4);
     EXPECT_LT(lowest, 1e-4 * arm);
     EXPECT_NEAR(norm(center), arm, 1e-12);
 }
@@ -136,7 +135,7 @@ TEST(RigidJoints, FourBarLinkageFollowsFreudenstein)
         return std::atan2(dy, dx) - inner;
     };
     RigidScene scene;
-    const double phi = 0.5 * pi, psi = rocker_angle(phi);
+    const double phi = 0.5 * std::numbers::pi, psi = rocker_angle(phi);
     const Vec3 o{}, a{crank * std::cos(phi), crank * std::sin(phi), 0};
     const Vec3 c{base, 0, 0}, b{base + rocker * std::cos(psi), rocker * std::sin(psi), 0};
     const Vec3 z{0, 0, 0.3};
@@ -156,14 +155,14 @@ TEST(RigidJoints, FourBarLinkageFollowsFreudenstein)
     revolute(c1, c2);
     scene.motor(Type::rotational_motor, {o1[0], o2[0], o1[1], o2[1], none, none}, speed);
     const int turn = 4000;
-    scene.start(2 * pi / speed / turn);
+    scene.start(2 * std::numbers::pi / speed / turn);
     double worst = 0, first_energy = 0, worst_energy = 0, largest_kinetic = 0;
     for (int i = 0; i < 2 * turn; ++i) {
         scene.step();
         const RigidBody& body = scene.bodies->bodies()[last];
         const double angle = std::atan2(body.orientation.row[1].x, body.orientation.row[0].x) + psi;
         const double expected = rocker_angle(phi + speed * scene.clock.time);
-        worst = std::max(worst, std::abs(std::remainder(angle - expected, 2 * pi)));
+        worst = std::max(worst, std::abs(std::remainder(angle - expected, 2 * std::numbers::pi)));
         ASSERT_NEAR(body.center.z, 0, 1e-10);
         if (i == 0) first_energy = scene.kinetic - scene.work;
         worst_energy = std::max(worst_energy, std::abs(scene.kinetic - scene.work - first_energy));
@@ -179,7 +178,7 @@ TEST(RigidJoints, FourBarLinkageFollowsFreudenstein)
 TEST(RigidJoints, UniversalJointFollowsCardan)
 {
     RigidScene scene;
-    const double bend = pi / 6, speed = 5;
+    const double bend = std::numbers::pi / 6, speed = 5;
     const Vec3 x{1, 0, 0}, out{std::cos(bend), std::sin(bend), 0}, z{0, 0, 1},
         across{-std::sin(bend), std::cos(bend), 0};
     const Index g1 = scene.node({}), g3 = scene.node(x), h1 = scene.node({}), h3 = scene.node(out);
@@ -193,7 +192,7 @@ TEST(RigidJoints, UniversalJointFollowsCardan)
     scene.joint(Type::universal, {a1, b2, a_arm, b_arm, none, none});
     scene.motor(Type::rotational_motor, {g1, a1, g3, a3, none, none}, speed);
     const int turn = 4000;
-    scene.start(2 * pi / speed / turn);
+    scene.start(2 * std::numbers::pi / speed / turn);
     double worst = 0;
     for (int i = 0; i < turn; ++i) {
         scene.step();
@@ -203,8 +202,8 @@ TEST(RigidJoints, UniversalJointFollowsCardan)
         const double input = speed * scene.clock.time;
         const double expected = std::atan2(std::sin(input) * std::cos(bend), std::cos(input));
         const double other = std::atan2(std::sin(input), std::cos(input) * std::cos(bend));
-        worst = std::max(worst, std::min(std::abs(std::remainder(angle - expected, 2 * pi)),
-                                         std::abs(std::remainder(angle - other, 2 * pi))));
+        worst = std::max(worst, std::min(std::abs(std::remainder(angle - expected, 2 * std::numbers::pi)),
+                                         std::abs(std::remainder(angle - other, 2 * std::numbers::pi))));
     }
     EXPECT_LT(worst, 1e-9);
 }
@@ -213,7 +212,7 @@ TEST(RigidJoints, UniversalJointFollowsCardan)
 TEST(RigidJoints, ConstantVelocityJointTurnsShaftsAlike)
 {
     RigidScene scene;
-    const double bend = pi / 6, speed = 5;
+    const double bend = std::numbers::pi / 6, speed = 5;
     const Vec3 x{1, 0, 0}, out{std::cos(bend), std::sin(bend), 0};
     const Index g1 = scene.node({}), g3 = scene.node(x), h1 = scene.node({}), h3 = scene.node(out);
     const Index a1 = scene.node({}), a3 = scene.node(x), b2 = scene.node({}), b3 = scene.node(out);
@@ -356,7 +355,8 @@ struct Wheel {
 
 } // namespace
 
-/// Torsion pendulum: amplitude omega / sqrt(k / I), period 2 pi sqrt(I / k); 1,000 steps a period.
+/// Torsion pendulum: amplitude omega / sqrt(k / I), period 2 std::numbers::pi sqrt(I / k); 1,000 steps a
+/// period.
 TEST(JointStiffness, SpringGivesTheTorsionPendulum)
 {
     JointStiffness::Freedom freedom;
@@ -364,7 +364,7 @@ TEST(JointStiffness, SpringGivesTheTorsionPendulum)
     Wheel wheel(freedom, 2);
     const double stiffness = 5, frequency = std::sqrt(stiffness / Wheel::inertia);
     wheel.scene.model.curves.push_back({1, "", {}, Curve{{-10, 10}, {-10 * stiffness, 10 * stiffness}}});
-    wheel.scene.start(2 * pi / frequency / 1000);
+    wheel.scene.start(2 * std::numbers::pi / frequency / 1000);
     double largest = 0, crossing = 0, last = 0;
     int crossings = 0;
     for (int i = 0; i < 10100; ++i) {
@@ -378,7 +378,8 @@ TEST(JointStiffness, SpringGivesTheTorsionPendulum)
         wheel.scene.step();
     }
     ASSERT_EQ(crossings, 10);
-    EXPECT_NEAR(crossing / (10 * 2 * pi / frequency), 1, 3e-6); // leapfrog: (omega dt)^2 / 24 = 1.6e-6
+    EXPECT_NEAR(crossing / (10 * 2 * std::numbers::pi / frequency), 1,
+                3e-6); // leapfrog: (omega dt)^2 / 24 = 1.6e-6
     EXPECT_NEAR(largest, 2 / frequency, 1e-5 * largest);
 }
 

@@ -15,7 +15,7 @@ namespace plash {
 
 namespace {
 
-constexpr FreedomMask all_freedoms = 63;
+constexpr FreedomMask clamped = 63;
 
 /// A strip along x, clamped at x = 0: `count` elements of its length by one of its width.
 Model strip(double length, double width, double thickness, int count, double density, double young_modulus,
@@ -25,7 +25,7 @@ Model strip(double length, double width, double thickness, int count, double den
         make_record("MAT_ELASTIC", {{"RO", density}, {"E", young_modulus}, {"PR", poisson_ratio}}),
         {{"ELFORM", 2}, {"NIP", 2}, {"SHRF", 5.0 / 6}, {"T1", thickness}});
     add_grid(model, count, 1, [&](int i, int j) { return Vec3{length * i / count, width * j, 0}; });
-    hold(model, {0, static_cast<Index>(count + 1)}, all_freedoms);
+    hold(model, {0, static_cast<Index>(count + 1)}, clamped);
     return model;
 }
 

@@ -22,14 +22,15 @@ CornerPattern<Lane> pattern_of(const Vector3<Lane> (&corner)[4])
     return plash::pattern_of(corner[0], corner[1], corner[2], corner[3]);
 }
 
-constexpr double young_modulus = 1e6, poisson_ratio = 0.25, thickness = 0.001;
+constexpr double patch_young_modulus = 1e6, patch_poisson_ratio = 0.25, patch_thickness = 0.001;
 
 /// The five-element patch of MacNeal & Harder (1985), Finite Elements in Analysis and Design 1, 3-20:
 /// 0.24 x 0.12, t = 0.001, E = 1e6, nu = 0.25; nodes 0-3 outside, 4-7 inside.
 Model patch_model(std::vector<std::pair<const char*, double>> section)
 {
     Model model = shell_model(
-        make_record("MAT_ELASTIC", {{"RO", 1}, {"E", young_modulus}, {"PR", poisson_ratio}}), section);
+        make_record("MAT_ELASTIC", {{"RO", 1}, {"E", patch_young_modulus}, {"PR", patch_poisson_ratio}}),
+        section);
     for (const Vec3& place :
          {Vec3{0, 0, 0}, Vec3{0.24, 0, 0}, Vec3{0.24, 0.12, 0}, Vec3{0, 0.12, 0}, Vec3{0.04, 0.02, 0},
           Vec3{0.18, 0.03, 0}, Vec3{0.16, 0.08, 0}, Vec3{0.08, 0.08, 0}}) {
@@ -85,7 +86,7 @@ constexpr PatchCase patch_cases[] = {{2, false}, {2, true}, {4, true}, {16, fals
 Model patch_model(const PatchCase& which)
 {
     Model model =
-        patch_model({{"ELFORM", which.formulation}, {"NIP", 2}, {"SHRF", 5.0 / 6}, {"T1", thickness}});
+        patch_model({{"ELFORM", which.formulation}, {"NIP", 2}, {"SHRF", 5.0 / 6}, {"T1", patch_thickness}});
     if (which.triangles) cut_into_triangles(model);
     return model;
 }
@@ -105,14 +106,14 @@ TEST(ShellPatch, MembraneStateIsUniformAndInnerNodesAreInBalance)
                 return Vec3{size * (x.x + x.y / 2), size * (x.y + x.x / 2), 0};
             },
             [](const Vec3&) { return Vec3{}; });
-        const double normal = size * young_modulus / (1 - poisson_ratio);
-        const double shear = size * young_modulus / (2 * (1 + poisson_ratio));
+        const double normal = size * patch_young_modulus / (1 - patch_poisson_ratio);
+        const double shear = size * patch_young_modulus / (2 * (1 + patch_poisson_ratio));
         for (const auto& stress : results.shell_stress) {
             EXPECT_NEAR(stress.xx, normal, 1e-8 * normal);
             EXPECT_NEAR(stress.yy, normal, 1e-8 * normal);
             EXPECT_NEAR(stress.xy, shear, 1e-8 * normal);
         }
-        const double force = normal * thickness * 0.1;
+        const double force = normal * patch_thickness * 0.1;
         for (int node = 4; node < 8; ++node) {
             EXPECT_LT(norm(state.force[node]), 1e-8 * force);
             EXPECT_LT(norm(state.moment[node]), 1e-8 * force * 0.1);

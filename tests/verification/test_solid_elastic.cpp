@@ -14,7 +14,7 @@ using testing::SolidBlock;
 
 namespace {
 
-Record steel()
+Record elastic_steel()
 {
     return record_of("MAT_ELASTIC", 1, {{"RO", 7850}, {"E", 210e9}, {"PR", 0.3}});
 }
@@ -42,7 +42,7 @@ struct PatchTest {
 
 PatchTest patch_test(int hourglass_type)
 {
-    SolidBlock block({3, 3, 3}, {1, 1, 1}, steel());
+    SolidBlock block({3, 3, 3}, {1, 1, 1}, elastic_steel());
     block.distort(0.1);
     block.set_hourglass(hourglass_type);
     State state = block.state();
@@ -98,7 +98,7 @@ TEST(SolidPatchTest, CentreTypesHaveTheRightStressButNotTheBalance)
 TEST(SolidRotation, AFullTurnLeavesAStressedElementAsItWas)
 {
     for (int type = 1; type <= 6; ++type) {
-        SolidBlock block({1, 1, 1}, {1, 1, 1}, steel());
+        SolidBlock block({1, 1, 1}, {1, 1, 1}, elastic_steel());
         block.set_hourglass(type);
         State state = block.state();
         auto groups = make_solid_groups(block.model, state);
@@ -227,7 +227,7 @@ TEST(SolidThreads, OneTwoAndFourGiveTheSameBits)
     const int before = omp_get_max_threads();
     for (int threads : {1, 2, 4}) {
         omp_set_num_threads(threads);
-        SolidBlock block({11, 10, 12}, {1, 1, 1}, steel());
+        SolidBlock block({11, 10, 12}, {1, 1, 1}, elastic_steel());
         block.distort(0.02);
         block.set_hourglass(4);
         block.set_velocity([](const Vec3& x) { return Vec3{100 * x.y * x.z, -50 * x.x, 30 * x.x * x.y}; });

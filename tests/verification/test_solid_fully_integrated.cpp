@@ -12,13 +12,13 @@ using testing::SolidBlock;
 
 namespace {
 
-constexpr double young_modulus = 210, density = 7.8e-6; // kN, mm, ms, kg
+constexpr double block_young_modulus = 210, block_density = 7.8e-6; // kN, mm, ms, kg
 
 SolidBlock block_of(std::array<int, 3> cells, Vec3 size, double formulation, double poisson_ratio = 0.3)
 {
-    SolidBlock block(
-        cells, size,
-        record_of("MAT_ELASTIC", 1, {{"RO", density}, {"E", young_modulus}, {"PR", poisson_ratio}}));
+    SolidBlock block(cells, size,
+                     record_of("MAT_ELASTIC", 1,
+                               {{"RO", block_density}, {"E", block_young_modulus}, {"PR", poisson_ratio}}));
     block.model.sections[0] = record_of("SECTION_SOLID", 1, {{"ELFORM", formulation}});
     return block;
 }
@@ -53,7 +53,7 @@ TEST_P(FullyIntegrated, PassesThePatchTestOnADistortedMesh)
                                    0.6 * size, 0.1 * size, 0.5 * size,  0.8 * size};
     drive(gradient, 1, state, groups);
     const SymmetricTensor<double> strain = symmetric_part(gradient);
-    const double shear = young_modulus / 2.6, lame = young_modulus * 0.3 / (1.3 * 0.4);
+    const double shear = block_young_modulus / 2.6, lame = block_young_modulus * 0.3 / (1.3 * 0.4);
     const double expected = lame * trace(strain) + 2 * shear * strain.xx;
     for (const auto& stress : solid_results(block.model, state, groups).solid_stress) {
         // Round-off of strains of 1e-9 from positions of 1.
@@ -123,10 +123,10 @@ double stiffness_ratio(int formulation, double length, double thickness, int alo
         }
     hold(model, clamp, 7);
     const double inertia = std::pow(thickness, 4) / 12, area = thickness * thickness;
-    const double load = 1e-6 * young_modulus * inertia / (length * length);
+    const double load = 1e-6 * block_young_modulus * inertia / (length * length);
     model.nodal_loads.push_back({tip, {0, 0, 1}, false, none, load / tip.size(), {}});
-    const double period =
-        2 * std::acos(-1.0) * length * length / 3.516 * std::sqrt(density * area / (young_modulus * inertia));
+    const double period = 2 * std::acos(-1.0) * length * length / 3.516 *
+                          std::sqrt(block_density * area / (block_young_modulus * inertia));
     model.controls.time.end_time = 4 * period;
     Scene scene = make_scene(model);
     const double rate = 2 * 2 * std::acos(-1.0) / period;
@@ -148,8 +148,8 @@ double stiffness_ratio(int formulation, double length, double thickness, int alo
     const Outcome outcome = run(scene, recorders);
     EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
     const double tip_way = scene.state.position[tip[0]].z - model.nodes.position[tip[0]].z;
-    const double beam = load * std::pow(length, 3) / (3 * young_modulus * inertia) +
-                        load * length / (5.0 / 6 * young_modulus / 2 * area);
+    const double beam = load * std::pow(length, 3) / (3 * block_young_modulus * inertia) +
+                        load * length / (5.0 / 6 * block_young_modulus / 2 * area);
     return beam / tip_way;
 }
 

@@ -1,3 +1,4 @@
+#include "tests/support/momenta.h"
 #include "tests/support/particle_setup.h"
 
 #include <gtest/gtest.h>
@@ -27,18 +28,6 @@ void make_collision(ParticleWorld& world, double step_scale)
     world.model.controls.time.end_time = 10;
 }
 
-struct Momenta {
-    Vec3 linear{}, angular{};
-
-    explicit Momenta(const State& state)
-    {
-        for (std::size_t i = 0; i < state.size(); ++i) {
-            linear += state.mass[i] * state.velocity[i];
-            angular += state.mass[i] * cross(state.position[i], state.velocity[i]);
-        }
-    }
-};
-
 double energy_error(double step_scale)
 {
     ParticleWorld world;
@@ -57,10 +46,10 @@ TEST(SphConservation, LinearAndAngularMomentumAreExactInFreeFlight)
     ParticleWorld world;
     make_collision(world, 0.3);
     Scene scene = world.make_scene_of_particles();
-    const Momenta before(scene.state);
+    const testing::Momenta before(scene.state);
     Recorders nobody;
     run(scene, nobody);
-    const Momenta after(scene.state);
+    const testing::Momenta after(scene.state);
     // Sums of 2000 impulses of order 1 over 80 steps: round-off is about 1e-12 of 1e3.
     EXPECT_LT(norm(after.linear - before.linear), 1e-11);
     EXPECT_LT(norm(after.angular - before.angular), 1e-9);

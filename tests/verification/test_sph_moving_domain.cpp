@@ -7,16 +7,16 @@ namespace plash {
 
 namespace {
 
-constexpr double speed = 2, length = 2, spacing = 0.05, sound = 20;
+constexpr double tank_speed = 2, tank_length = 2, tank_spacing = 0.05, tank_sound = 20;
 
 /// Moves the last node along x.
 class Towing : public Term {
 public:
     std::string_view name() const override { return "towing"; }
-    void add_forces(const Clock&, State& state) override { state.velocity.back() = {speed, 0, 0}; }
+    void add_forces(const Clock&, State& state) override { state.velocity.back() = {tank_speed, 0, 0}; }
     void after_motion(const Clock& clock, State& state) override
     {
-        state.position.back().x += clock.step * speed;
+        state.position.back().x += clock.step * tank_speed;
     }
 };
 
@@ -30,11 +30,11 @@ struct Channel {
         world.options.kernel = Kernel::wendland_c2;
         world.options.viscosity = {0, 0};
         world.options.mirrors = {{{0, 0, 0}, {0, 1, 0}, false, {}}, {{0, 0.5, 0}, {0, -1, 0}, false, {}}};
-        start = lattice({0, 0, 0}, 40, 10, 1, spacing);
-        world.add_part(TestLinear(1, sound), start, spacing * spacing, 1.3 * spacing);
+        start = lattice({0, 0, 0}, 40, 10, 1, tank_spacing);
+        world.add_part(TestLinear(1, tank_sound), start, tank_spacing * tank_spacing, 1.3 * tank_spacing);
         world.model.nodes.id.push_back(1000);
         world.model.nodes.position.push_back({1, 1, 0});
-        world.options.periods = {{{0, 0, 0}, {length, 0, 0}, static_cast<Index>(start.size()), calm}};
+        world.options.periods = {{{0, 0, 0}, {tank_length, 0, 0}, static_cast<Index>(start.size()), calm}};
         world.open_state();
         world.model.controls.time.step_scale = 0.5;
     }
@@ -71,7 +71,7 @@ Disturbance pass_over_a_disturbance(double calm)
             0.2 * std::exp(-40 * x * x) * std::cos(2 * M_PI * channel.start[i].y);
         channel.world.state.velocity[i].x = 0.1 * std::exp(-40 * x * x);
     }
-    channel.world.model.controls.time.end_time = 2 * length / speed;
+    channel.world.model.controls.time.end_time = 2 * tank_length / tank_speed;
     Scene scene = channel.make();
     const double before = kinetic_of(scene);
     Recorders nobody;
@@ -85,7 +85,7 @@ Disturbance pass_over_a_disturbance(double calm)
 TEST(SphMovingDomain, StillWaterStaysStillWhileTheDomainPassesOverIt)
 {
     Channel channel(0.3);
-    channel.world.model.controls.time.end_time = 3.3 * length / speed;
+    channel.world.model.controls.time.end_time = 3.3 * tank_length / tank_speed;
     Scene scene = channel.make();
     Recorders nobody;
     const Outcome outcome = run(scene, nobody);
@@ -93,7 +93,7 @@ TEST(SphMovingDomain, StillWaterStaysStillWhileTheDomainPassesOverIt)
     EXPECT_EQ(channel.world.body->items(), channel.start.size());
     for (std::size_t i = 0; i < channel.start.size(); ++i) {
         const Vec3 moved = scene.state.position[i] - channel.start[i];
-        const double periods = moved.x / length;
+        const double periods = moved.x / tank_length;
         EXPECT_NEAR(periods, std::round(periods), 1e-9);
         EXPECT_GE(std::round(periods), 3);
         EXPECT_LT(std::abs(moved.y), 1e-9);

@@ -18,9 +18,9 @@ std::shared_ptr<const ParticleLaw> elastic_law()
 
 /// Frequency of a standing wave in a periodic box of length 1, with particles that move along `along`, from
 /// the zeros of its amplitude.
-class WaveProbe : public Term {
+class ZeroProbe : public Term {
 public:
-    WaveProbe(const std::vector<Vec3>& start, const Vec3& along) : start_(start), along_(along) {}
+    ZeroProbe(const std::vector<Vec3>& start, const Vec3& along) : start_(start), along_(along) {}
     std::string_view name() const override { return "probe"; }
     void add_forces(const Clock& clock, State& state) override
     {
@@ -59,8 +59,8 @@ double wave_speed(int per_wavelength, const Vec3& along, bool renormalised)
     world.model.controls.time.step_scale = 0.4;
     world.model.controls.time.end_time = 3;
     Scene scene = world.make_scene_of_particles();
-    auto term = std::make_unique<WaveProbe>(positions, along);
-    const WaveProbe& probe = *term;
+    auto term = std::make_unique<ZeroProbe>(positions, along);
+    const ZeroProbe& probe = *term;
     scene.terms.push_back(std::move(term));
     Recorders nobody;
     run(scene, nobody);

@@ -74,11 +74,11 @@ SolidBlock quarter_bar(double radius, double length, int core, int ring, int alo
     return bar;
 }
 
-struct Shape {
+struct BarShape {
     double length = 0, radius = 0, strain = 0, balance = 0;
 };
 
-Shape taylor_copper(int hourglass_type, double coefficient)
+BarShape taylor_copper(int hourglass_type, double coefficient)
 {
     // Copper bar of 32.4 x 3.2 mm at 227 m/s on a frictionless rigid wall, 80 us (t, mm, s, MPa).
     SolidBlock bar = quarter_bar(
@@ -98,7 +98,7 @@ Shape taylor_copper(int hourglass_type, double coefficient)
     const Outcome outcome = run(scene, none_recorded);
     omp_set_num_threads(threads);
     EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
-    Shape shape;
+    BarShape shape;
     for (const Vec3& p : scene.state.position) {
         shape.length = std::max(shape.length, p.z);
         shape.radius = std::max(shape.radius, std::hypot(p.x, p.y));
@@ -119,7 +119,7 @@ TEST(TaylorBar, CopperAt227HasThePublishedShape)
     // codes (Zhu & Cescotto 1995, 21.26-21.49, 6.97-7.18, 2.47-3.24) and an axisymmetric code of 16 x 128
     // cells (21.448, 7.146, 3.117). Five elements over the radius and 50 along the bar here.
     for (int type : {1, 2, 3}) {
-        const Shape shape = taylor_copper(type, 0.1);
+        const BarShape shape = taylor_copper(type, 0.1);
         EXPECT_NEAR(shape.length, 21.45, 0.01 * 21.45) << type;
         EXPECT_NEAR(shape.radius, 7.1, 0.02 * 7.1) << type;
         EXPECT_NEAR(shape.strain, 3.0, 0.05 * 3.0) << type;
@@ -127,7 +127,7 @@ TEST(TaylorBar, CopperAt227HasThePublishedShape)
     }
     // Elastic hourglass stiffness holds the foot back, where strains are hundreds of times the yield strain:
     // known of types 4 to 6 in plastic flow, and why their coefficients are kept small.
-    const Shape strain_form = taylor_copper(6, 0.1), stiff_form = taylor_copper(5, 0.05);
+    const BarShape strain_form = taylor_copper(6, 0.1), stiff_form = taylor_copper(5, 0.05);
     EXPECT_NEAR(strain_form.length, 21.45, 0.01 * 21.45);
     EXPECT_NEAR(strain_form.radius, 7.1, 0.04 * 7.1);
     EXPECT_NEAR(strain_form.strain, 3.0, 0.05 * 3.0);
