@@ -55,6 +55,7 @@ bool NumberLine::read_slowly(std::string_view line, int number)
             continue;
         }
         reading_.report.error(where, keyword, fields_[i].name, fault);
+        values_[i] = 0; // whoever goes on with the line gets no number that an id cannot hold
         fine = false;
     }
     return fine;
