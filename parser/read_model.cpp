@@ -208,6 +208,7 @@ private:
         }
         if (phase == Phase::sets) {
             finish_sets(reading_);
+            move_node_sets(reading_);
             finish_nodal_rigid_bodies(reading_);
         }
         if (phase == Phase::conditions) {

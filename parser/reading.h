@@ -78,6 +78,7 @@ struct Reading {
     std::map<Id, std::vector<CurveUse>>
         curve_uses; ///< by the number of a curve or table; filled when there are such
     std::vector<PendingSet> pending_sets;
+    std::vector<Record> node_transforms; ///< *NODE_TRANSFORM, until the sets are known
     std::vector<PendingBody> pending_bodies;
     std::vector<Index> parts_without_section, parts_without_material; ///< SECID, MID left at zero
     std::vector<Index> body_load_parts;                               ///< of *LOAD_BODY_PARTS
@@ -167,6 +168,8 @@ std::span<const Translator> ale_keywords();
 
 /// Moves the nodes of includes as their transformations say.
 void move_included_nodes(Reading& reading);
+/// Moves the node sets of *NODE_TRANSFORM, in the order of the deck; wants the sets.
+void move_node_sets(Reading& reading);
 
 /// What needs the whole deck: curves of tables, members of sets, *LOAD_BODY_PARTS, *CONTROL_CONTACT.
 void finish_tables(Reading& reading);

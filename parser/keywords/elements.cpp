@@ -77,6 +77,21 @@ void read_mass(const Record& record, const Block&, Reading& reading)
     masses.mass.push_back(record.real("MASS"));
 }
 
+/// The mass is shared out in equal parts to the nodes of the set.
+void read_mass_of_set(const Record& record, const Block&, Reading& reading)
+{
+    NodalMasses& masses = reading.model.masses;
+    const Index set = reading.find(record, "NSID", Kind::node_set);
+    if (set == none) return;
+    const std::vector<Index>& nodes = reading.model.node_sets[set].nodes;
+    for (Index node : nodes) {
+        ++reading.report.elements.mass;
+        masses.id.push_back(record.id);
+        masses.node.push_back(node);
+        masses.mass.push_back(record.real("MASS") / static_cast<double>(nodes.size()));
+    }
+}
+
 /// Particles NID to NEND when NEND is given.
 void read_particles(const Block& block, Reading& reading)
 {
@@ -127,6 +142,7 @@ constexpr Translator elements_table[] = {
     {"ELEMENT_BEAM_*", Phase::elements, read_beam},
     {"ELEMENT_DISCRETE", Phase::elements, read_discrete},
     {"ELEMENT_MASS", Phase::elements, read_mass},
+    {"ELEMENT_MASS_NODE_SET", Phase::conditions, read_mass_of_set},
     {"ELEMENT_SPH", Phase::elements, nullptr, read_particles},
     {"ELEMENT_SPH_VOLUME", Phase::elements, nullptr, read_particles},
 };

@@ -77,9 +77,25 @@ void keep_transformation(const Record& record, const Block&, Reading& reading)
     reading.transformations.emplace(record.id, record);
 }
 
+void keep_node_transform(const Record& record, const Block&, Reading& reading)
+{
+    reading.node_transforms.push_back(record);
+}
+
+/// Positions by node number, for transformations that are told by nodes.
+auto position_in(Reading& reading)
+{
+    return [&reading](Id id) -> std::optional<Vec3> {
+        const Index node = reading.table(Kind::node).find(id);
+        if (node == none) return std::nullopt;
+        return reading.model.nodes.position[node];
+    };
+}
+
 constexpr Translator nodes_table[] = {
     {"NODE", Phase::nodes, nullptr, read_nodes},
     {"DEFINE_TRANSFORMATION", Phase::nodes, keep_transformation},
+    {"NODE_TRANSFORM", Phase::sets, keep_node_transform},
 };
 
 } // namespace
@@ -92,11 +108,7 @@ std::span<const Translator> node_keywords()
 void move_included_nodes(Reading& reading)
 {
     Nodes& nodes = reading.model.nodes;
-    const auto node_position = [&](Id id) -> std::optional<Vec3> {
-        const Index node = reading.table(Kind::node).find(id);
-        if (node == none) return std::nullopt;
-        return nodes.position[node];
-    };
+    const auto node_position = position_in(reading);
     for (const auto& transform : reading.deck.transforms) {
         Affine motion;
         for (const auto& [id, where] : transform->transformations) {
@@ -117,6 +129,26 @@ void move_included_nodes(Reading& reading)
             i + 1 < reading.moved_nodes.size() ? reading.moved_nodes[i + 1].second : nodes.size();
         for (std::size_t node = first; node < end; ++node)
             nodes.position[node] = motion.point(nodes.position[node]);
+    }
+}
+
+void move_node_sets(Reading& reading)
+{
+    for (const Record& record : reading.node_transforms) {
+        const Id id = record.integer("TRSID");
+        const auto found = reading.transformations.find(id);
+        if (found == reading.transformations.end()) {
+            reading.report.error(record.where, record.keyword, "TRSID",
+                                 fmt::format("there is no transformation {}", id));
+            continue;
+        }
+        const Affine motion = transformation_of(found->second, position_in(reading), reading.report);
+        const Index set = reading.find(record, "NSID", Kind::node_set);
+        if (set == none) continue;
+        for (Index node : reading.model.node_sets[set].nodes) {
+            Vec3& position = reading.model.nodes.position[node];
+            position = motion.point(position);
+        }
     }
 }
 

@@ -180,4 +180,12 @@ TEST(Database, EveryResultFileCanBeAskedFor)
     }
 }
 
+/// The manual's words: equally distributed to the nodes of the set.
+TEST(NodalMasses, OfASetAreSharedOut)
+{
+    const Model model = read_text(two_bricks_with("*ELEMENT_MASS_NODE_SET\n7,5,2.0\n")).model;
+    ASSERT_EQ(model.masses.mass.size(), 4u);
+    for (double mass : model.masses.mass) EXPECT_DOUBLE_EQ(mass, 0.5);
+}
+
 } // namespace plash

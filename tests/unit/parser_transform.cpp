@@ -197,4 +197,20 @@ TEST(Transformation, RotationsKeepLengthsAndMirrorsAreTheirOwnInverse)
     expect_near(then(reflection, reflection).point(point), point);
 }
 
+/// Nodes of a set, moved after all nodes are known; the others stay.
+TEST(Transformation, MovesTheNodesOfASet)
+{
+    const ReadResult result =
+        read_text("*NODE_TRANSFORM\n3,1\n*DEFINE_TRANSFORMATION\n3\nTRANSL,1.,2.,3.\nSCALE,2.,2.,2.\n"
+                  "*SET_NODE_LIST\n1\n2\n*NODE\n1,1.,0.,0.\n2,1.,0.,0.\n");
+    EXPECT_EQ(errors_of(result), "");
+    const auto& position = result.model.nodes.position;
+    EXPECT_EQ(position[0].x, 1);
+    EXPECT_EQ(position[1].x, 4); // shifted, then scaled
+    EXPECT_EQ(position[1].y, 4);
+    EXPECT_EQ(position[1].z, 6);
+    EXPECT_EQ(errors_of(read_text("*NODE\n1,0.,0.,0.\n*SET_NODE_LIST\n1\n1\n*NODE_TRANSFORM\n9,1\n")),
+              "deck.k:7: *NODE_TRANSFORM, field TRSID: there is no transformation 9\n");
+}
+
 } // namespace plash
