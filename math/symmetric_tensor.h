@@ -51,7 +51,7 @@ inline SymmetricTensor<T> deviator(const SymmetricTensor<T>& a)
 }
 
 /// Equivalent stress of von Mises.
-inline double equivalent_stress(const SymmetricTensor<double>& stress)
+inline double von_mises_stress(const SymmetricTensor<double>& stress)
 {
     const SymmetricTensor<double> s = deviator(stress);
     return std::sqrt(1.5 * contract(s, s));

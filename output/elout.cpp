@@ -75,7 +75,7 @@ std::string format_elout_solids(long cycle, double time, std::span<const Element
         for (std::size_t i = 0; i < solid.points.size(); ++i) {
             fmt::format_to(std::back_inserter(text), "{:8} ", i + 1);
             append_point(text, solid.points[i]);
-            append_scientific(text, equivalent_stress(solid.points[i].stress), 14, 4);
+            append_scientific(text, von_mises_stress(solid.points[i].stress), 14, 4);
             append_scientific(text, solid.points[i].plastic_strain, 14, 4);
             text += '\n';
         }

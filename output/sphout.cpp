@@ -39,7 +39,7 @@ std::string format_sphout(long cycle, double time, std::span<const ParticleRow> 
         const ElementResults::Particle& p = row.state;
         const SymmetricTensor<double>& s = p.stress;
         fmt::format_to(std::back_inserter(text), "{:9}{:8}", row.id, row.part);
-        for (double value : {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx, equivalent_stress(s), p.plastic_strain}) {
+        for (double value : {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx, von_mises_stress(s), p.plastic_strain}) {
             append_scientific(text, value, 12, 4);
         }
         text += "\n                 ";

@@ -99,7 +99,7 @@ void add_element_results(VtuFile& file, const ElementResults& r)
         for (int layer = 0; layer < layers; ++layer) {
             const Stress& s = r.shell_stress[e * layers + layer];
             put(stress[layer], s);
-            largest_mises = std::max(largest_mises, equivalent_stress(s));
+            largest_mises = std::max(largest_mises, von_mises_stress(s));
             largest_strain = std::max(largest_strain, r.shell_plastic_strain[e * layers + layer]);
         }
         mises.push_back(static_cast<float>(largest_mises));
@@ -108,14 +108,14 @@ void add_element_results(VtuFile& file, const ElementResults& r)
     }
     for (std::size_t e = 0; e < solids; ++e) {
         for (auto& layer : stress) put(layer, r.solid_stress[e]);
-        mises.push_back(static_cast<float>(equivalent_stress(r.solid_stress[e])));
+        mises.push_back(static_cast<float>(von_mises_stress(r.solid_stress[e])));
         plastic.push_back(static_cast<float>(r.solid_plastic_strain[e]));
         thickness.push_back(0);
     }
     eroded.insert(eroded.end(), r.solid_deleted.begin(), r.solid_deleted.end());
     for (const ElementResults::Particle& particle : r.particles) {
         for (auto& layer : stress) put(layer, particle.stress);
-        mises.push_back(static_cast<float>(equivalent_stress(particle.stress)));
+        mises.push_back(static_cast<float>(von_mises_stress(particle.stress)));
         plastic.push_back(static_cast<float>(particle.plastic_strain));
         thickness.push_back(0);
         eroded.push_back(particle.active ? 0 : 1);

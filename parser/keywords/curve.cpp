@@ -124,7 +124,6 @@ void finish_tables(Reading& reading)
                 numbered ? fmt::format("table {} names curve {}, which is not defined", table.id, id)
                          : fmt::format("table {} has {} values but fewer curves behind it", table.id,
                                        table.curves.size()));
-            curve = 0;
         }
     }
 }
