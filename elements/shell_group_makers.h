@@ -15,6 +15,7 @@ using ShellGroupMaker = std::unique_ptr<Term>(const ShellPart& part, ShellFormul
                                               State& state);
 
 ShellGroupMaker make_elastic_shells;
+ShellGroupMaker make_johnson_cook_shells;
 ShellGroupMaker make_laminate_shells;
 ShellGroupMaker make_piecewise_linear_shells;
 ShellGroupMaker make_plastic_kinematic_shells;

@@ -17,6 +17,7 @@ std::unique_ptr<Term> make_shells_of_law(const ShellPart& part, ShellFormulation
     ShellSettings settings =
         shell_settings(model, part.part, law.density, law.young_modulus, law.poisson_ratio);
     if constexpr (requires { law.failure_strain; }) settings.points_fail = law.failure_strain > 0;
+    if constexpr (requires { law.fractures(); }) settings.points_fail = law.fractures();
     if constexpr (requires { law.shortest_step; }) {
         const double length = law.shortest_step * settings.wave_speed;
         settings.shortest_squared_length = length * length;

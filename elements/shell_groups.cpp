@@ -19,6 +19,7 @@ constexpr std::pair<std::string_view, ShellGroupMaker*> makers[] = {
     {"MAT_ELASTIC", make_elastic_shells},
     {"MAT_ENHANCED_COMPOSITE_DAMAGE", make_laminate_shells},
     {"MAT_FABRIC", make_laminate_shells},
+    {"MAT_JOHNSON_COOK", make_johnson_cook_shells},
     {"MAT_LAMINATED_COMPOSITE_FABRIC", make_laminate_shells},
     {"MAT_ORTHOTROPIC_ELASTIC", make_laminate_shells},
     {"MAT_PIECEWISE_LINEAR_PLASTICITY", make_piecewise_linear_shells},

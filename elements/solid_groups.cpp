@@ -27,6 +27,7 @@ constexpr struct {
     {"MAT_SIMPLIFIED_JOHNSON_COOK", make_piecewise_linear_solids},
     {"MAT_MOONEY-RIVLIN_RUBBER", make_rubber_solids},
     {"MAT_CRUSHABLE_FOAM", make_crushable_foam_solids},
+    {"MAT_JOHNSON_COOK", make_johnson_cook_solids},
 };
 
 /// Shapes that need a group of their own.

@@ -18,6 +18,7 @@ std::unique_ptr<SolidGroup> make_plastic_kinematic_solids(const Record&, const R
 std::unique_ptr<SolidGroup> make_null_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_piecewise_linear_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_crushable_foam_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_johnson_cook_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_rubber_solids(const Record&, const Record*, SolidSetup, State&);
 
 } // namespace plash

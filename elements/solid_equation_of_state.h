@@ -1,0 +1,32 @@
+#pragma once
+
+#include "elements/solid_group.h"
+#include "eos/gruneisen.h"
+#include "eos/linear_polynomial.h"
+#include "eos/tabulated.h"
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace plash {
+
+/// Reads a card of an equation of state and hands it to `make`, which returns the group. Sets the relative
+/// volume at the start. DeckError for equations that solids do not have.
+/// density  of the material [mass/volume]
+template <class Make>
+std::unique_ptr<SolidGroup> with_equation_of_state(const Record& card, double density, SolidSetup& setup,
+                                                   Make&& make)
+{
+    const auto with = [&](const auto& eos) {
+        setup.initial_relative_volume = eos.relative_volume;
+        return make(eos);
+    };
+    if (card.keyword == "EOS_LINEAR_POLYNOMIAL") return with(LinearPolynomial::from_record(card, density));
+    if (card.keyword == "EOS_GRUNEISEN") return with(Gruneisen::from_record(card, density));
+    if (card.keyword == "EOS_TABULATED") return with(Tabulated::from_record(card, setup.model));
+    throw DeckError(card.where, fmt::format("*{} {} is not supported for the solids of part {}; there are "
+                                            "EOS_LINEAR_POLYNOMIAL, EOS_GRUNEISEN and EOS_TABULATED",
+                                            card.keyword, card.id, setup.model.parts[setup.part].id));
+}
+
+} // namespace plash
