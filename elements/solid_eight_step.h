@@ -334,8 +334,10 @@ inline SolidResult<Lane> eight_point_step(const Point& point, const SolidParamet
         stable_speed = sqrt((1.0 / parameters.density) * modulus * relative_volume);
     }
     const Lane crossing = volume / sqrt(largest_face_squared(position));
-    vote.stable_step = parameters.viscosity.stable_step(crossing, length, stable_speed,
-                                                        min(expansion, broadcast<Lane>(-1e-300)));
+    const double q = parameters.viscosity.linear;
+    const Lane at_rest = crossing / ((q + std::sqrt(1 + q * q)) * stable_speed);
+    vote.stable_step =
+        min(at_rest, parameters.viscosity.stable_step(crossing, length, stable_speed, expansion));
 
     // Forces: the linear field carries the mean stress, and so do the whole modes; scaled or cut modes carry
     // what the points differ by from the mean (the transpose of the gradients above).

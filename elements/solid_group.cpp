@@ -52,18 +52,6 @@ SolidGroup::SolidGroup(SolidSetup setup, const State& state, int history_size, i
     }
 }
 
-template <class Work>
-void SolidGroup::for_each_element(Work&& work) const
-{
-    for (const Patches::Patch& patch : patches_.patches) {
-        for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
-            for (int lane = 0; lane < patches_.active_lanes(batch); ++lane) {
-                work(patch, static_cast<std::size_t>(batch) * lane_count + lane);
-            }
-        }
-    }
-}
-
 Index SolidGroup::corner(const Patches::Patch& patch, std::size_t place, int corner) const
 {
     const std::uint16_t* offset = patches_.corner_offsets(static_cast<Index>(place / lane_count), corner);
@@ -140,6 +128,7 @@ void SolidGroup::finish_start(std::vector<double> first_step, State& state)
         const double share = constant_of(place, mass_constant) / corners.count;
         for (int i = 0; i < corners.count; ++i) state.mass[corners.node[i]] += share;
     });
+    hold_back_loose_elements(state);
 }
 
 double SolidGroup::mass() const
@@ -152,12 +141,14 @@ double SolidGroup::mass() const
 
 double SolidGroup::scale_mass(double step, bool only_small, State& state)
 {
-    step_factor_.assign(patches_.batch_count(), broadcast<Lanes>(1));
+    if (step_factor_.empty()) step_factor_.assign(patches_.batch_count(), broadcast<Lanes>(1));
     double added = 0;
     for_each_element([&](const Patches::Patch& patch, std::size_t place) {
         const double factor = step / first_step_[place];
         if (only_small && factor <= 1) return;
-        step_factor_[place / lane_count][place % lane_count] = factor;
+        step_factor_[place / lane_count][place % lane_count] *= factor;
+        if (!step_limit_.empty()) step_limit_[place / lane_count][place % lane_count] *= factor;
+        first_step_[place] = step;
         const double extra = (factor * factor - 1) * constant_of(place, mass_constant);
         added += extra;
         const Corners corners = distinct_corners(patch, place);
@@ -180,6 +171,7 @@ void SolidGroup::take(Index batch, const SolidModes<Lanes>& position, SolidResul
 {
     SolidVote<Lanes>& vote = result.vote;
     if (!step_factor_.empty()) vote.stable_step *= step_factor_[batch];
+    if (!step_limit_.empty()) vote.stable_step = min(vote.stable_step, step_limit_[batch]);
     const LaneMask dead = alive_.empty() ? LaneMask{} : alive_[batch] == 0.0;
     if (erosion_) vote.failed |= erosion_->lost(batch, position, history_of(batch), time_, last_step_);
     const LaneMask lost = (vote.inverted | vote.failed | (vote.stable_step < smallest_step_)) & ~dead;
@@ -293,9 +285,8 @@ void SolidGroup::collect(const State& state, ElementResults& results) const
         const Lanes* history = &history_[place / lane_count * history_size_];
         const int lane = static_cast<int>(place % lane_count);
         if (results.steps_wanted) {
-            const double factor = step_factor_.empty() ? 1 : step_factor_[place / lane_count][lane];
             results.steps.push_back({"solid", setup_.model.solids.id[element_of(place)],
-                                     setup_.model.parts[setup_.part].id, factor * first_step_[place]});
+                                     setup_.model.parts[setup_.part].id, first_step_[place]});
         }
         const Index row = results.row_of_solid(static_cast<Index>(element_of(place)));
         const bool wanted = row != none;

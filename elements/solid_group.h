@@ -28,6 +28,7 @@ struct SolidSetup {
     bool eight_points = false;           ///< fully integrated (elements/solid_eight_point.h)
     SolidShear shear = SolidShear::full; ///< of fully integrated elements
     std::string notice{};                ///< what the user should know of the formulation; empty: nothing
+    double shear_modulus = 0;            ///< elastic, for the bound of the step; 0: a fluid [stress]
     bool erode_inverted = false;         ///< delete elements without volume instead of stopping the run
 };
 
@@ -98,8 +99,9 @@ private:
     LaneArray history_;                   ///< batch x variable
     LaneArray constants_;                 ///< batch x constant
     std::vector<double> first_step_;      ///< batch x lane, at the start
-    LaneArray step_factor_;               ///< by batch: what mass scaling gains; empty without
-    LaneArray alive_;                     ///< by batch: 1, or 0 when deleted; empty while none is
+    LaneArray step_factor_; ///< by batch: what loose elements lose and mass scaling gains; empty without
+    LaneArray step_limit_;  ///< by batch: longest step of loose elements [time]; empty without
+    LaneArray alive_;       ///< by batch: 1, or 0 when deleted; empty while none is
     StepVote vote_;
     double internal_ = 0, hourglass_ = 0, viscous_ = 0;
     double eroded_internal_ = 0, eroded_hourglass_ = 0;
@@ -122,7 +124,17 @@ private:
         return alive_.empty() || alive_[place / lane_count][place % lane_count] != 0;
     }
     template <class Work>
-    void for_each_element(Work&& work) const;
+    void for_each_element(Work&& work) const
+    {
+        for (const Patches::Patch& patch : patches_.patches) {
+            for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
+                for (int lane = 0; lane < patches_.active_lanes(batch); ++lane) {
+                    work(patch, static_cast<std::size_t>(batch) * lane_count + lane);
+                }
+            }
+        }
+    }
+    void hold_back_loose_elements(const State&);
     void silence(Index batch, const LaneMask& dead, const LaneMask& silent, SolidResult<Lanes>&);
     void erase(std::size_t place, State&);
     std::string describe(std::size_t place, const std::vector<Vec3>& position) const;

@@ -15,7 +15,8 @@ std::unique_ptr<SolidGroup> make_rubber_solids(const Record& material, const Rec
     }
     const MooneyRivlin law = MooneyRivlin::from_record(material, setup.model);
     setup.parameters.density = law.density;
-    setup.parameters.hourglass.shear_modulus = law.shear_modulus();
+    setup.shear_modulus = law.shear_modulus();
+    setup.parameters.hourglass.shear_modulus = setup.shear_modulus;
     setup.parameters.hourglass.poisson_ratio = law.poisson_ratio;
     constexpr auto centre = SolidGradientRule::centre, mean = SolidGradientRule::mean;
     if (setup.rule == centre) {

@@ -45,7 +45,8 @@ std::unique_ptr<SolidGroup> make_rate_group(const Record& material, const Record
     refuse_equation_of_state(material, equation_of_state, setup);
     RatePoint<Law> point{Law::from_record(material, setup.model)};
     setup.parameters.density = point.law.density;
-    setup.parameters.hourglass.shear_modulus = point.law.young_modulus / (2 * (1 + point.law.poisson_ratio));
+    setup.shear_modulus = point.law.young_modulus / (2 * (1 + point.law.poisson_ratio));
+    setup.parameters.hourglass.shear_modulus = setup.shear_modulus;
     setup.parameters.hourglass.poisson_ratio = point.law.poisson_ratio;
     return make_point_group(std::move(point), std::move(setup), state);
 }

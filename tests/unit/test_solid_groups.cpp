@@ -67,6 +67,7 @@ TEST(SolidGroups, TetrahedraHaveTheirOwnVolumeStepAndGradientHoweverTheyAreWritt
     for (const std::array<Index, 8>& nodes :
          {std::array<Index, 8>{0, 1, 2, 3, 3, 3, 3, 3}, std::array<Index, 8>{0, 1, 2, 2, 3, 3, 3, 3}}) {
         SolidBlock block = tetrahedron(nodes);
+        block.model.controls.time.step_scale = 0.5; // loose elements then need no shorter step
         State state = block.state();
         auto groups = make_solid_groups(block.model, state);
         EXPECT_NEAR(groups[0]->mass(), 7850.0 / 6, 1e-9);
@@ -203,14 +204,14 @@ TEST(SolidGroups, ErodeElementsBelowTheSmallestStep)
     SolidBlock block({2, 1, 1}, {2, 1, 1}, steel());
     block.model.controls.time.erode_small_step = true;
     block.model.controls.time.smallest_step_factor = 0.5;
-    block.model.controls.time.step_scale = 0.9;
+    block.model.controls.time.step_scale = 0.5; // loose elements then need no shorter step
     State state = block.state();
     auto groups = make_solid_groups(block.model, state);
     Clock clock;
     groups[0]->add_forces(clock, state);
     const double first = groups[0]->stable_step().step;
     clock.cycle = 1;
-    clock.last_step = 0.9 * first;
+    clock.last_step = 0.5 * first;
     const auto squeeze = [&](double place) {
         for (Vec3& p : state.position) {
             if (p.x > 1.2) p.x = place;
