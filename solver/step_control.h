@@ -9,6 +9,11 @@
 namespace plash {
 
 /// Chooses the step from n to n+1 by the deck's rules (*CONTROL_TIMESTEP, *CONTROL_TERMINATION DTMIN).
+///
+/// The step falls at once with the smallest vote, and rises by a two-hundredth of what the vote allows in a
+/// cycle. A vote swings with the element that gives it, in a few cycles up and down; a step that swings along
+/// is in time with this vibration and feeds or starves it, by the strain in every swing (central difference
+/// keeps energy for a constant step alone).
 class StepControl {
 public:
     explicit StepControl(const Model& model) : model_(model) {}
@@ -19,12 +24,13 @@ public:
 
     const StepVote& owner() const { return owner_; }
     double first_step() const { return first_step_; }
-    void serialise(Archive& archive) { archive(first_step_); }
+    void serialise(Archive& archive) { archive(first_step_, stable_); }
 
 private:
     const Model& model_;
     StepVote owner_;
     double first_step_ = 0;
+    double stable_ = 0; ///< what follows the votes [time]; 0: none yet
 };
 
 } // namespace plash
