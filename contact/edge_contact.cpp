@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace plash {
 
@@ -21,6 +22,18 @@ double shell_thickness(const Model& model, const std::vector<PartData>& parts, I
         return 0.25 * (t[0] + t[1] + t[2] + t[3]);
     }
     return parts[model.shells.part[shell]].thickness;
+}
+
+/// The touch of two edges in a list that is sorted by them, or nullptr.
+const EdgeTouch* touch_between(const std::vector<EdgeTouch>& touches, Index a, Index b)
+{
+    const std::pair<Index, Index> key = std::minmax(a, b);
+    const auto found =
+        std::lower_bound(touches.begin(), touches.end(), key, [](const EdgeTouch& touch, const auto& wanted) {
+            return std::pair(touch.first, touch.second) < wanted;
+        });
+    const bool there = found != touches.end() && std::pair(found->first, found->second) == key;
+    return there ? &*found : nullptr;
 }
 
 } // namespace
@@ -159,6 +172,7 @@ EdgeContact::EdgeContact(const Contact& contact, const Model& model, const std::
     }
     force_now_.resize(nodes_.size());
     force_before_.resize(nodes_.size());
+    length_ = length;
     if (length.empty()) return;
     std::nth_element(length.begin(), length.begin() + length.size() / 2, length.end());
     margin_ = 0.5 * length[length.size() / 2];
@@ -222,21 +236,78 @@ void EdgeContact::search(const State& state)
 }
 
 /// Where the closest point is the end of an edge: whether this edge counts there. Others that go on from the
-/// end must lead away from the other edge, and of those that meet in it the first one counts.
+/// end must not lead clearly towards the other edge, else theirs is the closest point.
 bool EdgeContact::owns_end(const State& state, Index edge, double along, const Vec3& offset) const
 {
-    constexpr double near_end = 1e-6; // of an edge: closer than this is the end itself
-    if (along > near_end && along < 1 - near_end) return true;
+    if (along > 0 && along < 1) return true;
+    constexpr double clearly = 1e-3; // sine of the angle
     const Index end = ends_[edge][along > 0.5 ? 1 : 0];
     const Vec3& place = state.position[nodes_[end]];
     for (Index other : at_node_[end]) {
         if (other == edge || !edges_[other].there(state)) continue;
         const Index far = ends_[other][0] == end ? ends_[other][1] : ends_[other][0];
         const Vec3 leg = state.position[nodes_[far]] - place;
-        if (dot(offset, leg) > near_end * dot(leg, leg)) return false;
-        if (other < edge) return false;
+        if (dot(offset, leg) > clearly * norm(offset) * norm(leg)) return false;
     }
     return true;
+}
+
+/// The touch of the last step between edges that go on from those of the pair, held from about the same
+/// direction: as nodes pass, a touch moves from edge to edge. Given as the pair has its edges.
+bool EdgeContact::beside(const Pair& pair, const Vec3& normal, EdgeTouch& found) const
+{
+    double nearest = 0.5;
+    for_neighbours(pair.first, [&](Index a) {
+        for_neighbours(pair.second, [&](Index b) {
+            const EdgeTouch* old = touch_between(before_, a, b);
+            if (!old) return;
+            const double along = dot(old->normal, normal);
+            if (std::abs(along) <= nearest) return;
+            nearest = std::abs(along);
+            found = *old;
+            if (a < b) return;
+            found.normal = -found.normal;
+            found.friction = -found.friction;
+        });
+    });
+    return nearest > 0.5;
+}
+
+/// Where two edges go on in one another and both meet a third, from nearly the same direction and at nearly
+/// the same place, the deeper touch stands for both: else a beam would be held once more as it bends.
+void EdgeContact::drop_repeated(const State& state)
+{
+    if (now_.size() < 2) return;
+    std::vector<Index> order(now_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+        return std::pair(-now_[a].penetration, a) < std::pair(-now_[b].penetration, b);
+    });
+    const auto place = [&](Index edge, double along) {
+        const auto& node = edges_[edge].node;
+        return state.position[node[0]] + along * (state.position[node[1]] - state.position[node[0]]);
+    };
+    std::vector<bool> kept(now_.size());
+    for (Index number : order) {
+        const EdgeTouch& touch = now_[number];
+        bool repeats = false;
+        for_neighbours(touch.first, [&](Index a) {
+            for_neighbours(touch.second, [&](Index b) {
+                const EdgeTouch* found = touch_between(now_, a, b);
+                if (!found || !kept[found - now_.data()]) return;
+                const bool turned = a > b;
+                if ((turned ? -1 : 1) * dot(found->normal, touch.normal) <= 0.5) return;
+                const Vec3 between = place(touch.first, touch.s) - place(a, turned ? found->t : found->s);
+                const double near = std::min({edges_[touch.first].radius + edges_[touch.second].radius,
+                                              0.45 * length_[touch.first], 0.45 * length_[touch.second],
+                                              0.45 * length_[a], 0.45 * length_[b]});
+                repeats = repeats || dot(between, between) < near * near;
+            });
+        });
+        kept[number] = !repeats;
+    }
+    std::size_t number = 0;
+    std::erase_if(now_, [&](const EdgeTouch&) { return !kept[number++]; });
 }
 
 bool EdgeContact::touch_of(const Clock& clock, const State& state, const Pair& pair, const EdgeTouch* before,
@@ -251,6 +322,8 @@ bool EdgeContact::touch_of(const Clock& clock, const State& state, const Pair& p
     double distance = norm(offset);
     const double gap = a.radius + b.radius;
     if (distance >= gap && !before) return false;
+    EdgeTouch moved_here;
+    if (!before && distance > 0 && beside(pair, (1 / distance) * offset, moved_here)) before = &moved_here;
     if (!owns_end(state, pair.first, at.s, -offset) || !owns_end(state, pair.second, at.t, offset))
         return false;
     touch.first = pair.first;
@@ -361,10 +434,10 @@ void EdgeContact::add_forces(const Clock& clock, State& state)
         while (old != before_.cend() && std::pair(old->first, old->second) < key) ++old;
         const bool known = old != before_.cend() && std::pair(old->first, old->second) == key;
         EdgeTouch touch;
-        if (!touch_of(clock, state, pair, known ? &*old : nullptr, touch)) continue;
-        friction_energy_ += apply_law(clock, state, touch);
-        now_.push_back(touch);
+        if (touch_of(clock, state, pair, known ? &*old : nullptr, touch)) now_.push_back(touch);
     }
+    drop_repeated(state);
+    for (EdgeTouch& touch : now_) friction_energy_ += apply_law(clock, state, touch);
     if (!now_.empty() || !before_.empty()) sum_up(clock, state);
 }
 

@@ -81,6 +81,7 @@ private:
     std::vector<Pair> pairs_; ///< rising
     std::vector<Vec3> searched_at_;
     double margin_ = 0;
+    std::vector<double> length_;                 ///< of the edges at the start
     std::vector<EdgeTouch> now_, before_;        ///< in the order of `pairs_`
     std::vector<Vec3> force_now_, force_before_; ///< by place in `nodes_`
     double energy_ = 0, friction_energy_ = 0;
@@ -91,8 +92,20 @@ private:
     void take_masses(const State& state);
     bool pairs_hold(const Clock& clock, const State& state) const;
     void search(const State& state);
+    /// visit(edge) for an edge and those that share a node with it.
+    template <class Visit>
+    void for_neighbours(Index edge, Visit&& visit) const
+    {
+        visit(edge);
+        for (Index end : ends_[edge]) {
+            for (Index other : at_node_[end])
+                if (other != edge) visit(other);
+        }
+    }
+    bool beside(const Pair& pair, const Vec3& normal, EdgeTouch& found) const;
     bool touch_of(const Clock& clock, const State& state, const Pair& pair, const EdgeTouch* before,
                   EdgeTouch& touch) const;
+    void drop_repeated(const State& state);
     bool owns_end(const State& state, Index edge, double along, const Vec3& offset) const;
     double stiffness_of(const EdgeTouch& touch) const;
     Friction friction_of(Index first, Index second) const;

@@ -49,7 +49,7 @@ struct CrossedBeams {
         contact.slave.kind = ContactSide::Kind::all;
         mesh.model.contacts.push_back(contact);
         mesh.model.controls.time.step_scale = 1;
-        mesh.model.controls.time.end_time = 2;
+        mesh.model.controls.time.end_time = 6;
     }
 };
 
@@ -70,9 +70,7 @@ TEST(EdgeContact, ClosestPointsOfSegments)
 
 /// Beams of radius 0.2 that come together across one another bounce at a distance of 0.4, keep momentum and
 /// angular momentum, and give the sliding energy back, whether they meet between nodes or just at them.
-// Open: a beam that bends at a node meets another with both its elements, and where nodes cross with all
-// four; the sliding energy then ends 5 % of its peak off.
-TEST(EdgeContact, DISABLED_CrossedBeamsBounce)
+TEST(EdgeContact, CrossedBeamsBounce)
 {
     for (const double shift : {0.7, 0.0}) {
         for (const double angle : {1.5707963, 0.9}) {
@@ -91,12 +89,18 @@ TEST(EdgeContact, DISABLED_CrossedBeamsBounce)
                                                                 part_data(set.mesh.model)));
             const auto& contact = static_cast<const EdgeContact&>(*scene.terms[2]);
             EXPECT_EQ(contact.edges().size(), 4u);
-            double first = 0, peak = 0;
-            std::size_t most = 0;
+            // The beams go on swinging, so some pairs meet again: the energy counts whenever they are apart.
+            double first = 0, peak = 0, apart = 0;
+            int partings = 0;
+            std::size_t most = 0, before = 0;
             scene.terms.push_back(std::make_unique<Watch>([&](const Clock&, const State& now) {
-                if (first == 0 && !contact.touches().empty()) first = now.position[set.high[1]].z;
+                const std::size_t touches = contact.touches().size();
+                if (first == 0 && touches > 0) first = now.position[set.high[1]].z;
                 peak = std::max(peak, contact.sliding_energy());
-                most = std::max(most, contact.touches().size());
+                most = std::max(most, touches);
+                if (before > 0 && touches == 0) ++partings;
+                if (touches == 0) apart = std::max(apart, std::abs(contact.sliding_energy()));
+                before = touches;
             }));
             Recorders nothing;
             const Outcome outcome = run(scene, nothing);
@@ -104,8 +108,8 @@ TEST(EdgeContact, DISABLED_CrossedBeamsBounce)
             EXPECT_NEAR(first, 0.4, 0.003) << "one step is 0.001";
             EXPECT_EQ(most, 1u) << "ends that go on count once";
             EXPECT_GT(peak, 0.001);
-            EXPECT_NEAR(contact.sliding_energy(), 0, 0.01 * peak);
-            EXPECT_TRUE(contact.touches().empty());
+            EXPECT_GT(partings, 0);
+            EXPECT_LT(apart, 0.01 * peak);
             Vec3 momentum{};
             for (std::size_t i = 0; i < scene.state.size(); ++i) {
                 momentum += scene.state.mass[i] * scene.state.velocity[i];
@@ -119,8 +123,7 @@ TEST(EdgeContact, DISABLED_CrossedBeamsBounce)
 }
 
 /// Free sides of two sheets that hit edge to edge, where no node meets a facet.
-// Open: as above, two touches in place of one.
-TEST(EdgeContact, DISABLED_FreeSidesOfSheetsMeet)
+TEST(EdgeContact, FreeSidesOfSheetsMeet)
 {
     ContactModel mesh;
     const Index part = mesh.add_part(1.0, 100, 0.2);
@@ -151,7 +154,8 @@ TEST(EdgeContact, DISABLED_FreeSidesOfSheetsMeet)
     ASSERT_EQ(edges.touches().size(), 1u);
     // 0.25 - 0.08 = 0.17 apart, thickness 0.2: 0.03 deep.
     EXPECT_NEAR(edges.touches()[0].penetration, 0.03, 1e-12);
-    EXPECT_NEAR(edges.touches()[0].normal.y, -1, 1e-12);
+    // From the second edge to the first, which is that of the flat sheet.
+    EXPECT_NEAR(edges.touches()[0].normal.y, 1, 1e-12);
     Vec3 on_flat{};
     for (Index i = 0; i < 9; ++i) on_flat += state.force[flat + i];
     for (const Vec3& force : state.force) sum += force;
