@@ -61,6 +61,7 @@ public:
         if (side.box) drop_outside_box();
         drop_duplicates();
         for (Segment& segment : surface_.segments) measure(segment);
+        if (options_.limit_thickness) even_out_thickness();
         collect_nodes();
     }
 
@@ -75,6 +76,7 @@ private:
     Surface surface_;
     std::vector<Index> beams_;
     std::vector<Index> particles_;
+    std::vector<double> node_thickness_; ///< half of it by node of the Model; empty unless it is limited
 
     void add_shell(Index shell)
     {
@@ -248,12 +250,35 @@ private:
         }
     }
 
+    /// LS-DYNA's single surface contacts keep the thickness by node: that of a shell at the node, 40 % of whose
+    /// shortest side limit it. Here it is the thinnest shell at the node; a segment has the mean of its corners.
+    void even_out_thickness()
+    {
+        const auto own = [&](const Segment& segment) {
+            const PartContact* given = part_contact(segment.part);
+            return segment.shell == none || (given && given->thickness > 0);
+        };
+        std::vector<double> thinnest(model_.nodes.size(), std::numeric_limits<double>::infinity());
+        for (const Segment& segment : surface_.segments) {
+            if (own(segment)) continue;
+            for (Index node : segment.nodes) thinnest[node] = std::min(thinnest[node], segment.half_thickness);
+        }
+        for (Segment& segment : surface_.segments) {
+            if (own(segment)) continue;
+            segment.half_thickness = 0;
+            for (Index node : segment.nodes) segment.half_thickness += 0.25 * thinnest[node];
+        }
+        node_thickness_ = std::move(thinnest);
+    }
+
     void collect_nodes()
     {
         std::vector<ContactNode> entries;
         for (const Segment& segment : surface_.segments) {
             for (Index node : segment.nodes) {
-                entries.push_back({node, segment.part, segment.half_thickness, segment.stiffness});
+                const bool by_node = !node_thickness_.empty() && std::isfinite(node_thickness_[node]);
+                const double half = by_node ? node_thickness_[node] : segment.half_thickness;
+                entries.push_back({node, segment.part, half, segment.stiffness});
             }
         }
         for (Index beam : beams_) {

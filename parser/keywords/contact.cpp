@@ -214,7 +214,7 @@ void read_contact(const Record& record, const Block& block, Reading& reading)
     contact.largest_penetration = record.real("PENMAX");
     contact.square_edges = record.integer("SHLEDG") == 1;
     contact.thickness_option = static_cast<int>(record.integer("SHLTHK"));
-    const Id beams = std::max(record.integer("CPARM8"), record.integer("CPARM8_MPP"));
+    const Id beams = record.integer("CPARM8"); // that of the _MPP card speaks to LS-DYNA's MPP alone
     contact.spot_weld_beams = beams == 2;
     contact.exclude_same_part_beams = beams == 1;
     contact.inner_edges = contact.kind == Contact::Kind::general && holds(name, "INTERIOR");

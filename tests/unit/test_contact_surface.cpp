@@ -151,4 +151,26 @@ TEST(ContactMesh, KnowsWhoActsOnWhom)
     EXPECT_EQ(between, 4);
 }
 
+/// LS-DYNA's single surface contacts: 40 % of the shortest side limits the thickness, node by node.
+TEST(ContactSurface, ShortSidesLimitTheThicknessAroundTheirNodes)
+{
+    ContactModel mesh;
+    const Index part = mesh.add_part(1, 210, 1.0);
+    // A row of three shells, 1, 4 and 4 long, all 4 wide.
+    const double place[] = {0, 1, 5, 9};
+    mesh.add_sheet(part, 3, 1,
+                   [&](double u, double v) { return Vec3{place[static_cast<int>(3 * u + 0.5)], 4 * v, 0}; });
+    SurfaceOptions options;
+    options.limit_thickness = true;
+    const Surface surface = surface_of_all(mesh.model, options);
+    for (const ContactNode& node : surface.nodes) {
+        const bool short_side = mesh.model.nodes.position[node.node].x < 2;
+        EXPECT_DOUBLE_EQ(node.half_thickness, short_side ? 0.2 : 0.5);
+    }
+    ASSERT_EQ(surface.segments.size(), 3u);
+    EXPECT_DOUBLE_EQ(surface.segments[0].half_thickness, 0.2);
+    EXPECT_DOUBLE_EQ(surface.segments[1].half_thickness, 0.35) << "the mean of its corners";
+    EXPECT_DOUBLE_EQ(surface.segments[2].half_thickness, 0.5);
+}
+
 } // namespace plash
