@@ -91,9 +91,8 @@ private:
         most = acts ? max(most, strain) : most;
         const Lane ratio = max(most, broadcast<Lane>(1e-30)) * (1 / damage.strain);
         // exp(-ratio^m / (m e))
-        const Lane power = exp(min(damage.exponent * log(ratio), broadcast<Lane>(200.0)));
-        const Lane left =
-            exp(max((-1 / (damage.exponent * 2.718281828459045)) * power, broadcast<Lane>(-700.0)));
+        const Lane power = exp(damage.exponent * log(ratio));
+        const Lane left = exp((-1 / (damage.exponent * 2.718281828459045)) * power);
         if (!(damage.lowest > 0)) return left;
         const Lane floor = damage.lowest / max(most, broadcast<Lane>(damage.peak));
         return most > damage.peak ? max(left, floor) : left;

@@ -88,7 +88,8 @@ struct PlaneStressPath {
             const Lane ratio = yield * sqrt(inverse_square);
             const Lane slope = ratio * inverse_square * (slow * slow_part * u + fast * fast_part * w);
             const Lane error = yielding ? ratio - 1.0 + growth * m : Lane{};
-            m -= error / (slope + growth);
+            // Lanes without any stress have no slope.
+            m = yielding ? m - error / (slope + growth) : m;
             if (!any(abs(error) > 1e-13)) break;
         }
         return m;

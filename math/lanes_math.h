@@ -63,11 +63,13 @@ inline Lane log(Lane a)
     return lanes_of_integer<Lane>(exponent) * std::numbers::ln2 + 2.0 * (s + s * square * series);
 }
 
-/// Exponential for |a| < 700: 2^k times the Taylor series of the rest, |rest| <= log(2) / 2.
+/// Exponential: 2^k times the Taylor series of the rest, |rest| <= log(2) / 2. It stays at its values for
+/// -708 and 709, the last that are normal numbers: beyond them the exponent bits would wrap round.
 template <class Lane>
-inline Lane exp(Lane a)
+inline Lane exp(Lane any)
 {
     using Integer = IntegerLane<Lane>;
+    const Lane a = min(max(any, broadcast<Lane>(-708.0)), broadcast<Lane>(709.0));
     const Integer power = nearest_integer<Lane>(a * std::numbers::log2e);
     // log 2 in two parts, so that the rest keeps its digits.
     const Lane rounded = lanes_of_integer<Lane>(power);

@@ -14,7 +14,7 @@ void StepControl::choose(Clock& clock, const std::vector<std::unique_ptr<Term>>&
         const StepVote vote = term->stable_step();
         if (vote.step < owner_.step) owner_ = vote;
     }
-    constexpr double rise = 1.0 / 200; // of the way to the vote, a cycle
+    constexpr double rise = 1.0 / 50; // of the way to the vote, a cycle
     const bool follows = stable_ > 0 && std::isfinite(stable_) && owner_.step > stable_;
     stable_ = follows && std::isfinite(owner_.step) ? stable_ + rise * (owner_.step - stable_) : owner_.step;
     const TimeControls& control = model_.controls.time;

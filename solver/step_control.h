@@ -10,7 +10,7 @@ namespace plash {
 
 /// Chooses the step from n to n+1 by the deck's rules (*CONTROL_TIMESTEP, *CONTROL_TERMINATION DTMIN).
 ///
-/// The step falls at once with the smallest vote, and rises by a two-hundredth of what the vote allows in a
+/// The step falls at once with the smallest vote, and rises by a fiftieth of what the vote allows in a
 /// cycle. A vote swings with the element that gives it, in a few cycles up and down; a step that swings along
 /// is in time with this vibration and feeds or starves it, by the strain in every swing (central difference
 /// keeps energy for a constant step alone).

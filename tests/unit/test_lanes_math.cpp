@@ -18,6 +18,10 @@ TEST(LanesMath, LogarithmExponentialAndPowerAreAccurate)
     EXPECT_EQ(power<double>(0.0, 0.2), 0);
     EXPECT_NEAR(log<double>(1.0), 0, 1e-300);
     EXPECT_EQ(exp<double>(0.0), 1);
+    // Beyond the normal numbers it stays at the last ones.
+    EXPECT_LT(exp<double>(-6400.0), 1e-300);
+    EXPECT_GT(exp<double>(-6400.0), 0);
+    EXPECT_GT(exp<Lanes>(broadcast<Lanes>(1e5))[2], 1e307);
 }
 
 TEST(LanesMath, NearestIntegersGoThereAndBack)

@@ -190,4 +190,20 @@ TEST(PlasticKinematic, LanesEqualTheScalarReference)
     EXPECT_GT(history[0][0], 0);
 }
 
+/// An element that no wave has reached yet stands beside one that yields.
+TEST(PlasticKinematic, LanesWithoutStressStaySoBesideOthersThatYield)
+{
+    const auto law = metal<true>(0.3);
+    SymmetricTensor<Lanes> stress{}, increment{};
+    Lanes history[7]{};
+    increment.xx[3] = 0.05;
+    law.update_plane_stress(stress, increment, HistoryView<Lanes>{history}, 1e-3);
+    EXPECT_GT(history[0][3], 0.01);
+    for (int lane = 0; lane < lane_count; ++lane) {
+        if (lane == 3) continue;
+        EXPECT_EQ(stress.xx[lane], 0);
+        EXPECT_EQ(history[0][lane], 0);
+    }
+}
+
 } // namespace plash
