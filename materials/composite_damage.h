@@ -9,9 +9,10 @@ namespace plash {
 /// *MAT_COMPOSITE_DAMAGE (022) and *MAT_ENHANCED_COMPOSITE_DAMAGE (054/055): a ply that loses moduli when the
 /// criteria of Chang & Chang (1987), or for CRIT = 55 that of Tsai & Wu (1971) for the matrix, are met.
 /// Sources: Hallquist (2006), material models 22 and 54-55; keyword manual, volume II; the meaning of a
-/// criterion that is met, stress increments without stiffness but a stress that stays, is that of Wade,
-/// Feraboli & Osborne (2012, FAA JAMS technical review). A ply whose fibres break in tension (DFAILT = 0), or
-/// whose strains pass the DFAIL limits, carries nothing any more.
+/// criterion that is met, no more stress but one that stays, is that of Wade, Feraboli & Osborne (2012, FAA
+/// JAMS technical review). When the strain goes back, so does the stress, elastically: one that stayed then
+/// would do work without end. A ply whose fibres break in tension (DFAILT = 0), or whose strains pass the
+/// DFAIL limits, carries nothing any more.
 struct CompositeDamage {
     enum class Rule { composite_damage, chang, tsai_wu };
 
@@ -29,9 +30,21 @@ struct CompositeDamage {
     double shear_strain = 0;       ///< DFAILS
     double effective_strain = 0;   ///< EFS
 
-    enum History { strain_a, strain_b, strain_ab, fiber, fiber_compressed, matrix, sound, history_size };
+    enum History {
+        strain_a,
+        strain_b,
+        strain_ab,
+        fiber,
+        fiber_compressed,
+        matrix,
+        sound,
+        held_a, ///< size of the stress at which a direction has failed; it bears no more, either way
+        held_b,
+        held_ab,
+        history_size
+    };
     /// Flags are 1 while something holds.
-    std::array<double, history_size> initial_history() const { return {0, 0, 0, 1, 1, 1, 1}; }
+    std::array<double, history_size> initial_history() const { return {0, 0, 0, 1, 1, 1, 1, 0, 0, 0}; }
     double density() const { return plane.density; }
     double largest_modulus() const { return plane.largest_modulus(); }
 
@@ -52,22 +65,35 @@ struct CompositeDamage {
         history[strain_b] += increment.yy;
         history[strain_ab] += 2.0 * increment.xy;
 
-        // Moduli of what still holds; Poisson's ratios go with the first of the two directions.
-        const Lane along = history[fiber] * history[fiber_compressed];
-        const Lane across = history[fiber] * history[matrix];
-        const Lane both = along * across;
-        const Lane qa = both > 0.0 ? broadcast<Lane>(plane.plane_a()) : along * plane.ea;
-        const Lane qb = both > 0.0 ? broadcast<Lane>(plane.plane_b()) : across * plane.eb;
-        const Lane qab = both * plane.plane_ab();
+        // Poisson's ratios go with the first of the two directions. What has failed bears the stress that it
+        // failed at and no more; taken back it gives way elastically, else it would push or pull for ever.
+        const MaskOf<Lane> along = history[fiber] * history[fiber_compressed] > 0.0;
+        const MaskOf<Lane> across = history[fiber] * history[matrix] > 0.0;
+        const MaskOf<Lane> both = along & across;
+        const Lane qa = both ? broadcast<Lane>(plane.plane_a()) : broadcast<Lane>(plane.ea);
+        const Lane qb = both ? broadcast<Lane>(plane.plane_b()) : broadcast<Lane>(plane.eb);
+        const Lane qab = both ? broadcast<Lane>(plane.plane_ab()) : Lane{};
         // 2 eps_ab = tau / G + alpha tau^3
-        const Lane shear = across * plane.gab / (1.0 + (3 * alpha * plane.gab) * stress.xy * stress.xy);
+        const Lane shear = plane.gab / (1.0 + (3 * alpha * plane.gab) * stress.xy * stress.xy);
         stress.xx += qa * increment.xx + qab * increment.yy;
         stress.yy += qab * increment.xx + qb * increment.yy;
         stress.xy += 2.0 * shear * increment.xy;
         stress.yz += (2 * plane.gbc) * increment.yz;
         stress.zx += (2 * plane.gca) * increment.zx;
+        const auto limited = [](const MaskOf<Lane>& holds, const Lane& value, const Lane& held) {
+            return holds ? value : min(max(value, Lane{-held}), held);
+        };
+        stress.xx = limited(along, stress.xx, history[held_a]);
+        stress.yy = limited(across, stress.yy, history[held_b]);
+        stress.xy = limited(across, stress.xy, history[held_ab]);
 
         judge(stress, history);
+        const MaskOf<Lane> fails_along =
+            along & MaskOf<Lane>(history[fiber] * history[fiber_compressed] == 0.0);
+        const MaskOf<Lane> fails_across = across & MaskOf<Lane>(history[fiber] * history[matrix] == 0.0);
+        history[held_a] = fails_along ? abs(stress.xx) : history[held_a];
+        history[held_b] = fails_across ? abs(stress.yy) : history[held_b];
+        history[held_ab] = fails_across ? abs(stress.xy) : history[held_ab];
         const Lane keep = history[sound];
         for (Lane* component : {&stress.xx, &stress.yy, &stress.xy, &stress.yz, &stress.zx}) {
             *component = keep > 0.0 ? *component : Lane{};

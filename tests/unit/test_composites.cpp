@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include <cmath>
 #include <numbers>
 
@@ -130,6 +132,35 @@ TEST(CompositeDamage, TheMatrixStaysAtItsStrength)
     EXPECT_NEAR(wu.stress.yy, -100, 0.05);
 }
 
+/// However a broken ply is strained, it takes energy and gives none.
+TEST(CompositeDamage, FailedPliesGiveNoEnergy)
+{
+    auto ply = chang();
+    std::mt19937 random(11);
+    const auto draw = [&] { return random() / 2147483648.0 - 1.0; };
+    double work = 0, lowest = 0;
+    SymmetricTensor<double> strain{};
+    for (int i = 0; i < 500; ++i) {
+        // Random ways between places within 5 %, in compression along the fibres so that they do not tear.
+        const double a = -0.025 + 0.025 * draw() - strain.xx, b = 0.05 * draw() - strain.yy,
+                     ab = 0.05 * draw() - strain.xy;
+        strain = {strain.xx + a, strain.yy + b, 0, strain.xy + ab, 0, 0};
+        constexpr int steps = 50;
+        for (int step = 0; step < steps; ++step) {
+            const SymmetricTensor<double> old = ply.stress;
+            ply.strain(a / steps, b / steps, ab / steps);
+            work += 0.5 *
+                    ((old.xx + ply.stress.xx) * a + (old.yy + ply.stress.yy) * b +
+                     (old.xy + ply.stress.xy) * ab) /
+                    steps;
+        }
+        lowest = std::min(lowest, work);
+    }
+    EXPECT_FALSE(ply.gone());
+    EXPECT_GT(work, 0);
+    EXPECT_GE(lowest, -1e-9);
+}
+
 TEST(CompositeDamage, StrainLimitsTakeThePlyAway)
 {
     auto ply = chang({{"DFAILT", 0.025}});
@@ -186,6 +217,47 @@ TEST(LaminatedFabric, ReachesItsStrengthAtItsStrain)
     Ply sheared(law);
     sheared.strain(0, 0, 0.1, 1000);
     EXPECT_NEAR(sheared.stress.xy, 120, 1e-6 * 120);
+}
+
+/// Strengths beyond the elastic line, as the woven plies of a wing have them: straight up to the strength,
+/// then nothing, from the smallest strain on.
+TEST(LaminatedFabric, BrittlePliesStartElasticAndBreakAtTheirStrength)
+{
+    const Record record = make_record("MAT_LAMINATED_COMPOSITE_FABRIC", {{"RO", 1.42e-9},
+                                                                         {"EA", 61340},
+                                                                         {"EB", 61340},
+                                                                         {"PRBA", 0},
+                                                                         {"GAB", 3300},
+                                                                         {"GBC", 2700},
+                                                                         {"GCA", 2700},
+                                                                         {"FS", -1},
+                                                                         {"E11T", 0.0126},
+                                                                         {"E11C", 0.0102},
+                                                                         {"E22T", 0.0126},
+                                                                         {"E22C", 0.0102},
+                                                                         {"GMS", 0.022},
+                                                                         {"XT", 805},
+                                                                         {"XC", 509},
+                                                                         {"YT", 805},
+                                                                         {"YC", 509},
+                                                                         {"SC", 125}});
+    const auto law = LaminatedFabric::from_record(record, Model{});
+    Ply ply(law);
+    ply.strain(0, 0, 1e-12);
+    EXPECT_NEAR(ply.stress.xy, 3300e-12, 1e-12 * 3300e-12);
+    EXPECT_EQ(ply.stress.xx, 0);
+    ply.strain(1e-30, 0, 0);
+    EXPECT_NEAR(ply.stress.xx, 61340e-30, 1e-12 * 61340e-30);
+    // Exponent 100: exp(-(E eps / X)^100 / (100 e)).
+    const auto left = [](double strain) {
+        return std::exp(-std::pow(61340 * strain / 805, 100) / (100 * std::numbers::e));
+    };
+    ply.strain(0.0130, 0, 0, 100);
+    EXPECT_NEAR(ply.stress.xx, 61340 * 0.0130 * left(0.0130), 1e-9 * 805);
+    ply.strain(0.0010, 0, 0, 100);
+    EXPECT_NEAR(ply.stress.xx, 61340 * 0.0140 * left(0.0140), 1e-9 * 805);
+    ply.strain(0.0060, 0, 0, 100);
+    EXPECT_NEAR(ply.stress.xx, 0, 1e-9 * 805);
 }
 
 TEST(Fabric, CarriesNoCompressionAndTightensAgain)
