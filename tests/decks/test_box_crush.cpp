@@ -84,12 +84,16 @@ TEST(BoxCrush, TubeOf1280ShellsFoldsAsThePeersDo)
     EXPECT_NEAR(found.force / stiff.force, 1, 0.15);
 }
 
-// Open: 17.7 % above the peer's Belytschko-Tsay quad (docs/results/contact.md).
-TEST(BoxCrush, DISABLED_MeanForceOfThePeersSofterShell)
+/// The peer's Belytschko-Tsay quad has hourglass coefficients of 0.01 and does not read those of the deck (0.1 of
+/// type 4, of which 10 % of the absorbed energy is hourglass energy and the mean force 53.1 kN instead of 45.4).
+/// With 0.01 the forces are comparable; without hourglass modes at all (ELFORM 16) it is 44.3 kN.
+TEST(BoxCrush, MeanForceOfThePeersSofterShellWithItsHourglassControl)
 {
     const auto deck = testing::shared_file("decks/peer_runs/box_crush_1280.k");
     PLASH_NEED_SHARED(deck);
-    EXPECT_NEAR(crush(read_model(deck.string())).force / crush_of_peer("belytschko_tsay").force, 1, 0.15);
+    ReadResult read = read_model(deck.string());
+    read.model.controls.elements.hourglass_coefficient = 0.01;
+    EXPECT_NEAR(crush(read).force / crush_of_peer("belytschko_tsay").force, 1, 0.15);
 }
 
 } // namespace plash
