@@ -250,8 +250,10 @@ private:
         }
     }
 
-    /// LS-DYNA's single surface contacts keep the thickness by node: that of a shell at the node, 40 % of whose
-    /// shortest side limit it. Here it is the thinnest shell at the node; a segment has the mean of its corners.
+    /// LS-DYNA's single surface contacts keep the thickness by node: that of a shell at the node, 40 % of
+    /// whose shortest side limit it. Here it is the thinnest shell at the node, and a segment is as thin as
+    /// its thinnest corner: the head of LS-DYNA's bolt then meets its plate where it does there
+    /// (docs/results/bolt.md).
     void even_out_thickness()
     {
         const auto own = [&](const Segment& segment) {
@@ -261,12 +263,14 @@ private:
         std::vector<double> thinnest(model_.nodes.size(), std::numeric_limits<double>::infinity());
         for (const Segment& segment : surface_.segments) {
             if (own(segment)) continue;
-            for (Index node : segment.nodes) thinnest[node] = std::min(thinnest[node], segment.half_thickness);
+            for (Index node : segment.nodes)
+                thinnest[node] = std::min(thinnest[node], segment.half_thickness);
         }
         for (Segment& segment : surface_.segments) {
             if (own(segment)) continue;
-            segment.half_thickness = 0;
-            for (Index node : segment.nodes) segment.half_thickness += 0.25 * thinnest[node];
+            for (Index node : segment.nodes) {
+                segment.half_thickness = std::min(segment.half_thickness, thinnest[node]);
+            }
         }
         node_thickness_ = std::move(thinnest);
     }
