@@ -8,12 +8,12 @@ namespace plash {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 /// A corner is loose when the group's mass on its node is less than this share of the element's own: four
 /// hexahedra around a node make 0.5, eight make 1.
 constexpr double loose_share = 0.6;
 /// The step stays this far below the bound: Lanczos' frequencies come from below, and shapes change.
-constexpr double margin = 0.98;
+constexpr double loose_margin = 0.98;
 
 std::array<Vec3, 8> volume_derivatives(const SolidGradient<double, SolidGradientRule::mean>& b)
 {
@@ -55,7 +55,7 @@ double bearable_step(std::span<const LinearSolid> solids, std::span<const Vec3> 
 {
     double step = start;
     for (int i = 0; i < 6; ++i) {
-        const double next = margin * 2 / std::sqrt(largest_eigenvalue(solids, inverse_mass, step));
+        const double next = loose_margin * 2 / std::sqrt(largest_eigenvalue(solids, inverse_mass, step));
         const bool close = next > 0.999 * step;
         step = std::min(step, next);
         if (close) break;
@@ -118,7 +118,7 @@ void SolidGroup::hold_back_loose_elements(const State& state)
         return number[patch.first_node + offset[place % lane_count] / 4];
     };
     std::vector<double> mass(own.size());
-    double smallest = infinite;
+    double smallest = no_bound;
     for_each_element([&](const Patches::Patch& patch, std::size_t place) {
         std::array<Index, 8> corners;
         for (int i = 0; i < 8; ++i) corners[i] = own_corner(patch, place, i);
@@ -161,13 +161,13 @@ void SolidGroup::hold_back_loose_elements(const State& state)
     std::vector<std::size_t> loose;
     std::vector<bool> around(own.size());
     for_each_element([&](const Patches::Patch& patch, std::size_t place) {
-        double least = infinite;
+        double least = no_bound;
         for (int i = 0; i < 8; ++i) least = std::min(least, mass[own_corner(patch, place, i)]);
         if (least >= loose_share * constant_of(place, mass_constant)) return;
         const LinearSolid solid = linear_solid(patch, place);
         const double share = constant_of(place, mass_constant) / distinct_corners(patch, place).count;
         const double square = lone_frequency_squared(solid, share);
-        if (!(margin * 2 < scaled * std::sqrt(square))) return;
+        if (!(loose_margin * 2 < scaled * std::sqrt(square))) return;
         loose.push_back(place);
         for (Index node : solid.node) around[node] = true;
     });
@@ -197,10 +197,10 @@ void SolidGroup::hold_back_loose_elements(const State& state)
     // whole.
     const double squeezed = setup_.eight_points ? scaled : slowed * scaled;
     const auto bears = [&](double step, double damped) {
-        return margin * 2 >=
+        return loose_margin * 2 >=
                step * std::sqrt(largest_eigenvalue(cluster.solids, cluster.inverse_mass, damped));
     };
-    if (bears(scaled, infinite) && bears(squeezed, 2 * squeezed)) return;
+    if (bears(scaled, no_bound) && bears(squeezed, 2 * squeezed)) return;
     const double together = bearable_step(cluster.solids, cluster.inverse_mass, scaled);
     for (std::size_t place : loose) {
         // No element needs less than it does on its own.
@@ -209,7 +209,7 @@ void SolidGroup::hold_back_loose_elements(const State& state)
         const double limit = std::max(together, alone) / setup_.model.controls.time.step_scale;
         if (!(limit < first_step_[place])) continue;
         if (step_factor_.empty()) step_factor_.assign(patches_.batch_count(), broadcast<Lanes>(1));
-        if (step_limit_.empty()) step_limit_.assign(patches_.batch_count(), broadcast<Lanes>(infinite));
+        if (step_limit_.empty()) step_limit_.assign(patches_.batch_count(), broadcast<Lanes>(no_bound));
         // One-point elements vote for less while they are compressed. The limit counts that already, and
         // holds at rest as well: a step that changes with every swing of the element would feed it.
         const double at_rest = setup_.eight_points ? limit : limit / slowed;

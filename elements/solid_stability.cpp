@@ -24,9 +24,9 @@ SymmetricTensor<double> hooke(const LinearSolid& solid, const SymmetricTensor<do
 }
 
 /// A vector of three values a node, and its products; the order of sums is fixed.
-using Field = std::vector<Vec3>;
+using NodeField = std::vector<Vec3>;
 
-double product(const Field& a, const Field& b)
+double inner_product(const NodeField& a, const NodeField& b)
 {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
@@ -39,8 +39,8 @@ Vec3 by_component(const Vec3& a, const Vec3& b)
 }
 
 /// M^-1/2 (K + 2 C / step) M^-1/2 x.
-void apply(std::span<const LinearSolid> solids, const Field& inverse_root, double step, const Field& x,
-           Field& result)
+void apply_operator(std::span<const LinearSolid> solids, const NodeField& inverse_root, double step,
+                    const NodeField& x, NodeField& result)
 {
     std::fill(result.begin(), result.end(), Vec3{});
     for (const LinearSolid& solid : solids) {
@@ -126,31 +126,31 @@ double largest_eigenvalue(std::span<const LinearSolid> solids, std::span<const V
                           double step)
 {
     const std::size_t count = inverse_mass.size();
-    Field inverse_root;
+    NodeField inverse_root;
     for (const Vec3& m : inverse_mass)
         inverse_root.push_back({std::sqrt(m.x), std::sqrt(m.y), std::sqrt(m.z)});
 
     std::mt19937 random(1); // the same start everywhere and always
     const auto number = [&] { return random() / 2147483648.0 - 1; };
-    Field now(count), before(count), next(count);
+    NodeField now(count), before(count), next(count);
     for (Vec3& value : now) {
         value.x = number();
         value.y = number();
         value.z = number();
     }
-    const double start = 1 / std::sqrt(product(now, now));
+    const double start = 1 / std::sqrt(inner_product(now, now));
     for (Vec3& value : now) value = start * value;
 
     constexpr int longest = 60;
     std::vector<double> diagonal, beside;
     double eigenvalue = 0, link = 0;
     for (int i = 0; i < longest; ++i) {
-        apply(solids, inverse_root, step, now, next);
-        const double along = product(now, next);
+        apply_operator(solids, inverse_root, step, now, next);
+        const double along = inner_product(now, next);
         diagonal.push_back(along);
         for (std::size_t node = 0; node < count; ++node)
             next[node] = next[node] - along * now[node] - link * before[node];
-        link = std::sqrt(product(next, next));
+        link = std::sqrt(inner_product(next, next));
         const double last = eigenvalue;
         if (i % 5 == 4 || link <= 1e-10 * diagonal.front()) {
             eigenvalue = largest_of_tridiagonal(diagonal, beside);

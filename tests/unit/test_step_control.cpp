@@ -1,0 +1,48 @@
+#include "solver/step_control.h"
+
+#include <gtest/gtest.h>
+
+namespace plash {
+
+namespace {
+
+/// A term that votes for what the test says.
+class Voter : public Term {
+public:
+    double step = 1;
+    std::string_view name() const override { return "voter"; }
+    StepVote stable_step() const override { return {step, "thing", 1, 1}; }
+};
+
+} // namespace
+
+/// Down at once, up by a fiftieth of the way: a vote that swings every other cycle leaves the step at its
+/// lower end, and one that rises for good is followed.
+TEST(StepControl, FallsAtOnceAndRisesSlowly)
+{
+    Model model;
+    model.controls.time.step_scale = 0.9;
+    std::vector<std::unique_ptr<Term>> terms;
+    terms.push_back(std::make_unique<Voter>());
+    auto& voter = static_cast<Voter&>(*terms.front());
+    StepControl control(model);
+    Clock clock;
+    const auto next = [&](double vote) {
+        voter.step = vote;
+        control.choose(clock, terms);
+        ++clock.cycle;
+        return clock.step;
+    };
+    EXPECT_DOUBLE_EQ(next(1.0), 0.9);
+    EXPECT_DOUBLE_EQ(next(0.5), 0.45);
+    EXPECT_DOUBLE_EQ(next(1.0), 0.9 * 0.51);
+    for (int i = 0; i < 100; ++i) {
+        next(0.5);
+        EXPECT_LT(next(0.52), 0.9 * 0.5005);
+    }
+    for (int i = 0; i < 500; ++i) next(1.0);
+    EXPECT_NEAR(clock.step, 0.9, 1e-4);
+    EXPECT_EQ(control.first_step(), 0.9);
+}
+
+} // namespace plash
