@@ -8,7 +8,7 @@
 // water has run down the tank and up its far wall. Times are processor time of the process over the number of
 // threads.
 
-#include "conditions/loads.h"
+#include "conditions/body_loads.h"
 #include "eos/murnaghan.h"
 #include "tests/support/particle_setup.h"
 
@@ -113,7 +113,10 @@ int main(int argc, char** argv)
                    density * spacing * spacing * spacing, ratio * spacing);
     world.open_state();
     world.model.controls.time.step_scale = 0.3;
-    world.model.body_loads.push_back({{0, 0, 1}, none, gravity, {}, {}});
+    BodyLoad weight;
+    weight.direction = {0, 0, 1};
+    weight.scale = gravity;
+    world.model.body_loads.push_back(weight);
     Scene scene = world.make_scene_of_particles();
     scene.terms.push_back(std::make_unique<BodyLoads>(scene.model, scene.state));
     const std::size_t count = positions.size();

@@ -1,5 +1,6 @@
 #include "core/parallel.h"
 #include "sph/density_filter.h"
+#include "sph/laminar_force.h"
 #include "sph/pair_passes.h"
 #include "sph/tensile_force.h"
 
@@ -56,6 +57,19 @@ void sum_tensile_forces(Kernel kernel, int dimension, bool volume_weighted, doub
     with_kernel(kernel, [&]<class K>(K) {
         const auto pass = [&](const NeighbourRun& run, ForceSums* sums) {
             return TensileForce<Lanes, K>(records_of(arrays), run.begin, dimension, volume_weighted, strength,
+                                          sums);
+        };
+        walk_runs<ForceSums>(runs, pass, take);
+    });
+}
+
+void sum_laminar_forces(Kernel kernel, int dimension, const std::vector<NeighbourRun>& runs,
+                        const ParticleArrays& arrays,
+                        const std::function<void(const NeighbourRun&, const ForceSums*)>& take)
+{
+    with_kernel(kernel, [&]<class K>(K) {
+        const auto pass = [&](const NeighbourRun& run, ForceSums* sums) {
+            return LaminarForce<Lanes, K>(arrays.motion.data(), arrays.laminar.data(), run.begin, dimension,
                                           sums);
         };
         walk_runs<ForceSums>(runs, pass, take);

@@ -168,6 +168,7 @@ void Images::refresh_all(ParticleArrays& arrays) const
             arrays.motion[place_[k]] = {transform.turn * source.position + transform.shift, source.smoothing,
                                         transform.drag * source.velocity + transform.carry, source.weight};
             arrays.push[place_[k]] = arrays.push[source_place_[k]];
+            if (!arrays.laminar.empty()) arrays.laminar[place_[k]] = arrays.laminar[source_place_[k]];
             if (!arrays.tension.empty()) turn_tension(transform.turn, source_place_[k], place_[k], arrays);
         }
     });

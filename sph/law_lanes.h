@@ -65,8 +65,9 @@ inline void set_records(const PartConstants& part, Index place, double smoothing
     PushRecord& push = arrays.push[place];
     push.scale = part.volume_weighted ? density : 1 / density;
     push.sound = sound;
-    push.viscosity =
-        (part.dimension + 2) * part.laminar_viscosity * (part.volume_weighted ? 1 : push.scale * push.scale);
+    const double viscosity = part.laminar_viscosity * (part.volume_weighted ? 1 : push.scale * push.scale);
+    push.viscosity = part.laminar_by_velocity ? 0 : (part.dimension + 2) * viscosity;
+    if (!arrays.laminar.empty()) arrays.laminar[place] = viscosity;
 }
 
 /// Push of a stress [stress]: its negative, corrected and scaled; only the pressure where no tensors are
@@ -91,12 +92,17 @@ inline void set_push(const PartConstants& part, Index place, const SymmetricTens
 }
 
 /// Stable step h / (Q + sqrt(Q^2 + c^2)) with Q = Q2 c + Q1 h |div v| in compression, as for LS-DYNA's
-/// solids. closing  rate of the logarithm of density [1/time]
+/// solids; and for laminar viscosity h^2 / (8 nu) (Morris et al. 1997), by (dimension + 2) / dimension less
+/// for central forces, which are so much stiffer against particles that move to and fro. closing  rate of the
+/// logarithm of density [1/time]
 inline Lanes stable_step(const PartConstants& part, Lanes h, Lanes sound, Lanes closing)
 {
     const Lanes damping =
         part.viscosity.linear * sound + part.viscosity.quadratic * h * max(closing, Lanes{});
-    return h / (damping + sqrt(damping * damping + sound * sound));
+    const Lanes acoustic = h / (damping + sqrt(damping * damping + sound * sound));
+    if (!(part.laminar_viscosity > 0)) return acoustic;
+    const double stiffer = part.laminar_by_velocity ? 1 : 1 + 2.0 / part.dimension;
+    return min(acoustic, part.density / (8 * stiffer * part.laminar_viscosity) * h * h);
 }
 
 } // namespace plash

@@ -39,6 +39,11 @@ void sum_tensile_forces(Kernel, int dimension, bool volume_weighted, double stre
                         const std::vector<NeighbourRun>&, const ParticleArrays&,
                         const std::function<void(const NeighbourRun&, const ForceSums*)>& take);
 
+/// Laminar viscosity along differences of velocity; only `force`, `viscous_force` (the same) and `heat` are
+/// filled.
+void sum_laminar_forces(Kernel, int dimension, const std::vector<NeighbourRun>&, const ParticleArrays&,
+                        const std::function<void(const NeighbourRun&, const ForceSums*)>& take);
+
 /// Density of each particle from the masses and volumes around it, by sorted place.
 std::vector<double> filtered_densities(Kernel, int dimension, bool volume_weighted,
                                        const std::vector<NeighbourRun>&, const ParticleArrays&);

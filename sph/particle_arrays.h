@@ -31,6 +31,7 @@ struct ParticleArrays {
     std::vector<double> energy;       ///< internal energy by initial volume [energy/volume]
     std::vector<Vec3> viscous_force;  ///< share of viscosity in the last force [force]
     std::vector<double> heat;         ///< its heating power [energy/time]
+    std::vector<double> laminar;      ///< viscosity along differences of velocity, scaled; empty without
     std::vector<Vec3> drift;          ///< of the particles against their velocity; empty without [velocity]
 
     // Only of bodies whose push is a tensor.
@@ -50,8 +51,8 @@ struct ParticleArrays {
     void serialise(Archive& archive)
     {
         archive(motion, push, particle, node, element, part, image, asleep, mass, density, rate, diffusion,
-                pressure, energy, viscous_force, heat, drift, tension, gradient, correction, stress, history,
-                skin, build_position, build_smoothing);
+                pressure, energy, viscous_force, heat, laminar, drift, tension, gradient, correction, stress,
+                history, skin, build_position, build_smoothing);
     }
 };
 

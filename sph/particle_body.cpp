@@ -72,16 +72,20 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
       images_(options_.mirrors, options_.periods)
 {
     tensor_ = options_.renormalised;
+    bool viscous = false;
     for (ParticlePart& part : parts_) {
         part.constants.dimension = options_.dimension;
         part.constants.volume_weighted = options_.volume_weighted;
         part.constants.failed_carry_nothing = options_.failed_carry_nothing;
+        part.constants.laminar_by_velocity = options_.laminar_by_velocity;
+        viscous = viscous || part.constants.laminar_viscosity > 0;
         tensor_ = tensor_ || part.law->has_strength();
         arrays_.history_size = std::max(arrays_.history_size, part.law->history_size());
         for (std::size_t i = 0; i < part.nodes.size(); ++i) state.mass[part.nodes[i]] += part.mass[i];
         real_count_ += part.nodes.size();
     }
     create(state);
+    if (viscous && options_.laminar_by_velocity) arrays_.laminar.resize(real_count_);
     search(state);
     if (tensor_) sum_rates({}); // for the correction of the first forces
     apply_laws(0, sleepers_);
@@ -141,6 +145,7 @@ void ParticleBody::add_forces(const Clock& clock, State& state)
     images_.refresh_all(arrays_);
     add_pair_forces(clock, state);
     if (options_.tensile_repulsion > 0) add_tensile_forces(clock, state);
+    if (!arrays_.laminar.empty()) add_laminar_forces(clock, state);
     if (options_.velocity_blend > 0 || options_.shifting > 0) find_drifts(state);
 }
 
@@ -258,6 +263,7 @@ void ParticleBody::search(State& state)
     permute(a.viscous_force, old_place);
     permute(a.heat, old_place);
     permute(a.skin, old_place);
+    if (!a.laminar.empty()) permute(a.laminar, old_place);
     if (tensor_) {
         permute(a.tension, old_place);
         permute(a.gradient, old_place);
@@ -338,6 +344,25 @@ StepVote ParticleBody::stable_step() const
     if (vote_.place == none) return StepVote::nothing();
     const ParticlePart& part = parts_[arrays_.part[vote_.place]];
     return {vote_.step, "particle", model_.nodes.id[arrays_.node[vote_.place]], part.id};
+}
+
+/// Pairs that are weighed by masses take the density of a neighbour for their own.
+std::vector<std::string> ParticleBody::notices(const State&) const
+{
+    if (options_.volume_weighted || !options_.parts_interact) return {};
+    const auto density_of = [](const ParticlePart& part) {
+        return part.constants.density * part.law->initial_compression();
+    };
+    const auto [light, heavy] =
+        std::minmax_element(parts_.begin(), parts_.end(), [&](const ParticlePart& a, const ParticlePart& b) {
+            return density_of(a) < density_of(b);
+        });
+    constexpr double noticed = 1.2; // their ratio
+    if (density_of(*heavy) <= noticed * density_of(*light)) return {};
+    return {
+        fmt::format("particles of parts {} and {} have the densities {:g} and {:g}: where they meet, FORM 0 "
+                    "to 4 and 12 of *CONTROL_SPH are wrong by that ratio; FORM 5 and 6 are not",
+                    light->id, heavy->id, density_of(*light), density_of(*heavy))};
 }
 
 void ParticleBody::report(EnergyLedger& ledger) const

@@ -41,6 +41,7 @@ struct ParticleOptions {
     double velocity_blend = 0;         ///< epsilon of XSPH, 0.5 as a rule [-]
     double shifting = 0;               ///< strength of particle shifting, 1 as a rule [-]
     double tensile_repulsion = 0;      ///< epsilon of Monaghan's artificial pressure, 0.2 as a rule [-]
+    bool laminar_by_velocity = false;  ///< laminar viscosity of Morris et al., not of Monaghan & Cleary
     int filter_interval = 0;           ///< cycles between two density re-initialisations; 0: none
     std::vector<ActiveRegion> regions; ///< where particles are awake; none: everywhere
     std::optional<Box> box;            ///< particles that leave it leave the run (BOXID)
@@ -72,6 +73,7 @@ public:
     void constrain(const Clock& clock, State& state) override;
     void after_motion(const Clock& clock, State& state) override;
     StepVote stable_step() const override;
+    std::vector<std::string> notices(const State& state) const override;
     void report(EnergyLedger& ledger) const override;
     void serialise(Archive& archive) override
     {
@@ -133,9 +135,10 @@ private:
     DensityDiffusion density_diffusion(const Clock& clock);
     void filter_densities();
     void add_tensile_forces(const Clock& clock, State& state);
+    void add_laminar_forces(const Clock& clock, State& state);
     void find_drifts(const State& state);
     void calm_wake(const Clock& clock, State& state);
-    double calm_particle(const CalmZone& zone, Index place, State& state);
+    double calm_particle(const CalmZone& zone, Index place, double step, State& state);
     void take_forces(const NeighbourRun& run, const ForceSums* sums, double half_step, State& state);
 };
 

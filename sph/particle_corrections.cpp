@@ -11,12 +11,19 @@
 
 namespace plash {
 
-/// Acceleration by the body loads that act on everything.
+/// Acceleration by the body loads that act on all particles: on everything, or on every part of this body.
 Vec3 ParticleBody::gravity(double time) const
 {
+    const auto acts_here = [&](const BodyLoad& load) {
+        if (load.kind != BodyLoad::Kind::translation) return false;
+        if (load.parts.empty()) return load.nodes.empty();
+        return std::all_of(parts_.begin(), parts_.end(), [&](const ParticlePart& part) {
+            return std::find(load.parts.begin(), load.parts.end(), part.model_part) != load.parts.end();
+        });
+    };
     Vec3 sum{};
     for (const BodyLoad& load : model_.body_loads) {
-        if (!load.parts.empty()) continue;
+        if (!acts_here(load)) continue;
         sum -= (load.scale * curve_value(model_, load.curve, time)) * load.direction;
     }
     return sum;
@@ -51,6 +58,14 @@ void ParticleBody::add_tensile_forces(const Clock& clock, State& state)
     };
     sum_tensile_forces(options_.kernel, options_.dimension, options_.volume_weighted,
                        options_.tensile_repulsion, runs_, arrays_, take);
+}
+
+void ParticleBody::add_laminar_forces(const Clock& clock, State& state)
+{
+    const auto take = [&](const NeighbourRun& run, const ForceSums* sums) {
+        take_forces(run, sums, 0.5 * clock.last_step, state);
+    };
+    sum_laminar_forces(options_.kernel, options_.dimension, runs_, arrays_, take);
 }
 
 /// XSPH moves a particle with a velocity nearer to that of its neighbours. Shifting moves it away from where
@@ -105,15 +120,17 @@ void ParticleBody::calm_wake(const Clock& clock, State& state)
         damped_energy_ += sum_chunks(arrays_.motion.size(), [&](std::size_t begin, std::size_t end) {
             double taken = 0;
             for (std::size_t p = begin; p < end; ++p) {
-                if (!arrays_.image[p]) taken += calm_particle(zone, static_cast<Index>(p), state);
+                if (!arrays_.image[p]) taken += calm_particle(zone, static_cast<Index>(p), clock.step, state);
             }
             return taken;
         });
     }
 }
 
-/// The energy that a particle loses in the zone.
-double ParticleBody::calm_particle(const CalmZone& zone, Index place, State& state)
+/// The energy that a particle loses in the zone. The loop has let the force of n act with the whole velocity
+/// over the first half of the step, while all terms take their work over the whole step with the velocity
+/// that they find, the calmed one: the difference goes with what is taken.
+double ParticleBody::calm_particle(const CalmZone& zone, Index place, double step, State& state)
 {
     ParticleArrays& a = arrays_;
     const Index node = a.node[place];
@@ -122,7 +139,9 @@ double ParticleBody::calm_particle(const CalmZone& zone, Index place, State& sta
     if (kept == 1) return 0;
     Vec3& velocity = state.velocity[node];
     const double mass = a.mass[place];
-    const double kinetic = 0.5 * mass * (1 - kept * kept) * dot(velocity, velocity);
+    const double kinetic =
+        0.5 * (1 - kept) *
+        ((1 + kept) * mass * dot(velocity, velocity) - step * dot(state.force[node], velocity));
     velocity = kept * velocity;
     const Vec3 home = zone.home(model_.nodes.position[node], position);
     position = home + kept * (position - home);

@@ -18,7 +18,8 @@ struct PartConstants {
     double smallest_smoothing = 0;     ///< [length]
     double largest_smoothing = 0;      ///< [length]
     ArtificialViscosity viscosity;
-    double laminar_viscosity = 0; ///< dynamic [stress time]
+    double laminar_viscosity = 0;     ///< dynamic [stress time]
+    bool laminar_by_velocity = false; ///< it does not act along the line of pairs
 };
 
 /// The shortest stable step of some particles and whose it is.

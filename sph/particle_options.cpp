@@ -122,6 +122,14 @@ void read_formulation(const Record& record, ParticleOptions& options)
     options.velocity_blend = share("XSPH", 1);
     options.shifting = share("SHIFT", 10);
     options.tensile_repulsion = share("TENSILE", 10);
+    const Id viscosity = record.integer("VISC");
+    if (viscosity < 0 || viscosity > 1) {
+        reject_field(record, "VISC",
+                     fmt::format("there is no form {} of laminar viscosity; there are 0 (Monaghan & Cleary) "
+                                 "and 1 (Morris et al.)",
+                                 viscosity));
+    }
+    options.laminar_by_velocity = viscosity == 1;
     options.filter_interval = static_cast<int>(share("FILTER", 1e9));
     const double skin = share("SKIN", 1);
     if (skin > 0) options.skin = skin;

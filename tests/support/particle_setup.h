@@ -6,6 +6,7 @@
 #include "sph/particle_body.h"
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 /// Small bodies of particles for tests, built without a deck.
@@ -122,6 +123,21 @@ struct ParticleWorld {
         return std::make_unique<ParticleBody>(parts, options, model, state);
     }
 };
+
+/// Looks at the scene in every cycle, when the forces at n are known.
+class ParticleProbe : public Term {
+public:
+    std::function<void(const Clock&, const State&)> look;
+    std::string_view name() const override { return "probe"; }
+    void add_forces(const Clock& clock, State& state) override { look(clock, state); }
+};
+
+inline void add_particle_probe(Scene& scene, std::function<void(const Clock&, const State&)> look)
+{
+    auto probe = std::make_unique<ParticleProbe>();
+    probe->look = std::move(look);
+    scene.terms.push_back(std::move(probe));
+}
 
 /// Positions of a block of nx x ny x nz cells of edge `spacing` from `origin`, at the middles of the cells.
 inline std::vector<Vec3> lattice(const Vec3& origin, int nx, int ny, int nz, double spacing)

@@ -1,5 +1,6 @@
 #include "sph/density_filter.h"
 #include "sph/density_rate.h"
+#include "sph/laminar_force.h"
 #include "sph/particle_drift.h"
 #include "sph/tensile_force.h"
 #include "tests/support/particle_setup.h"
@@ -19,8 +20,9 @@ struct TwoPartBlock {
     std::unique_ptr<ParticleBody> body;
     int dimension;
 
-    TwoPartBlock(int dimension, bool volume_weighted) : dimension(dimension)
+    TwoPartBlock(int dimension, bool volume_weighted, bool laminar_by_velocity = false) : dimension(dimension)
     {
+        world.options.laminar_by_velocity = laminar_by_velocity;
         world.options.kernel = Kernel::wendland_c2;
         world.options.dimension = dimension;
         world.options.volume_weighted = volume_weighted;
@@ -31,8 +33,8 @@ struct TwoPartBlock {
         TestLinear squeezed(1, 3), stretched(1, 3);
         squeezed.relative_volume = 0.9;
         stretched.relative_volume = 1.1;
-        world.add_part(squeezed, left, 1.0, 1.3);
-        world.add_part(stretched, right, 1.2, 1.4);
+        world.add_part(squeezed, left, 1.0, 1.3).constants.laminar_viscosity = 0.02;
+        world.add_part(stretched, right, 1.2, 1.4).constants.laminar_viscosity = 0.05;
         world.open_state();
         disturb(world.state.velocity, 0.5, 6, dimension);
         body = world.make_body();
@@ -153,6 +155,41 @@ TEST_P(SphCorrections, TensileForcesActBetweenStretchedParticlesAlone)
     EXPECT_GT(largest, 0.01) << "the test would show nothing";
     EXPECT_LT(norm(total), 1e-11);
     EXPECT_NEAR(work, 0, 1e-11) << "heat is what the motion loses";
+}
+
+TEST_P(SphCorrections, LaminarForcesActAlongDifferencesOfVelocity)
+{
+    const auto [dimension, volumes] = GetParam();
+    const TwoPartBlock block(dimension, volumes, true);
+    const auto sums_in = [&, dimension = dimension]<class Lane>(Lane) {
+        return block.sums<Lane, ForceSums>([&](const NeighbourRun& run, ForceSums* sums) {
+            return LaminarForce<Lane, TestKernel>(block.arrays().motion.data(), block.arrays().laminar.data(),
+                                                  run.begin, dimension, sums);
+        });
+    };
+    const auto plain = sums_in(double{}), lanes = sums_in(Lanes{});
+    const ParticleArrays& a = block.arrays();
+    const auto viscosity_of = [&](Index i) { // as the pair sees it: by 1 / density^2 where weights are masses
+        return (a.part[i] == 0 ? 0.02 : 0.05) * (volumes ? 1 : 1 / (a.density[i] * a.density[i]));
+    };
+    Vec3 total{};
+    double work = 0, heat = 0;
+    for (Index i = 0; i < a.size(); ++i) {
+        Vec3 force{};
+        for_pairs(block, i, [&](Index j, const Pair& p) {
+            const Vec3 velocity = a.motion[i].velocity - a.motion[j].velocity;
+            force += a.motion[j].weight * (viscosity_of(i) + viscosity_of(j)) *
+                     (dot(p.apart, p.gradient) / dot(p.apart, p.apart)) * velocity;
+        });
+        EXPECT_LT(norm(plain[i].force - force), 1e-12) << i;
+        EXPECT_LT(norm(lanes[i].force - force), 1e-7) << i;
+        total += a.motion[i].weight * plain[i].force;
+        work += a.motion[i].weight * dot(plain[i].force, a.motion[i].velocity);
+        heat += a.motion[i].weight * plain[i].heat;
+    }
+    EXPECT_GT(heat, 0.1) << "the test would show nothing";
+    EXPECT_NEAR(work + heat, 0, 1e-12 * heat) << "heat is what the motion loses";
+    EXPECT_LT(norm(total), 1e-12);
 }
 
 TEST_P(SphCorrections, DiffusionLeavesMassAndTheHydrostaticStateAlone)

@@ -1,6 +1,7 @@
 #include "parser/read_model.h"
 #include "solver/scene.h"
 #include "sph/particle_bodies.h"
+#include "tests/support/particle_setup.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -108,7 +109,7 @@ TEST(SphDeck, TakesPlashsOwnFormulation)
     const ParticleOptions plain = options("");
     EXPECT_EQ(plain.density_diffusion, 0);
     EXPECT_FALSE(plain.own_kernel);
-    const ParticleOptions own = options("*PLASH_SPH_FORMULATION\n4,0.1,0.5,1,0.2,30,0.15\n");
+    const ParticleOptions own = options("*PLASH_SPH_FORMULATION\n4,0.1,0.5,1,0.2,30,0.15,1\n");
     EXPECT_TRUE(own.own_kernel && own.kernel == Kernel::wendland_c2);
     EXPECT_EQ(own.density_diffusion, 0.1);
     EXPECT_EQ(own.velocity_blend, 0.5);
@@ -116,6 +117,11 @@ TEST(SphDeck, TakesPlashsOwnFormulation)
     EXPECT_EQ(own.tensile_repulsion, 0.2);
     EXPECT_EQ(own.filter_interval, 30);
     EXPECT_EQ(own.skin, 0.15);
+    EXPECT_TRUE(own.laminar_by_velocity);
+    EXPECT_FALSE(plain.laminar_by_velocity);
+    EXPECT_EQ(complaint(plate_deck("7", "*PLASH_SPH_FORMULATION\n0,,,,,,,2\n")),
+              "*PLASH_SPH_FORMULATION, field VISC: there is no form 2 of laminar viscosity; there are 0 "
+              "(Monaghan & Cleary) and 1 (Morris et al.)");
     EXPECT_EQ(complaint(plate_deck("7", "*PLASH_SPH_FORMULATION\n3\n")),
               "*PLASH_SPH_FORMULATION, field KERNEL: there is no kernel 3; there are 0 (that of the "
               "sections), 4 (Wendland C2) and 5 (Wendland C4)");
@@ -152,6 +158,25 @@ TEST(SphDeck, SpacingIsTheLargestOfTheSmallestDistances)
     EXPECT_DOUBLE_EQ(particle_spacing({{0, 0, 0}, {0, 2, 0}}), 2);
     EXPECT_EQ(particle_spacing({{1, 1, 1}}), 0);
     EXPECT_EQ(particle_spacing({{1, 1, 1}, {1, 1, 1}}), 0);
+}
+
+TEST(SphDeck, NoticesDensitiesThatMassesCannotWeigh)
+{
+    const auto notices = [](double other_density, bool volume_weighted) {
+        ParticleWorld world;
+        world.options.volume_weighted = volume_weighted;
+        world.add_part(TestLinear(1000, 1500), lattice({0, 0, 0}, 3, 3, 3, 1), 1000, 1.2);
+        world.add_part(TestLinear(other_density, 1500), lattice({3, 0, 0}, 3, 3, 3, 1), other_density, 1.2);
+        world.open_state();
+        return world.make_body()->notices(world.state);
+    };
+    EXPECT_TRUE(notices(950, false).empty());
+    EXPECT_TRUE(notices(100, true).empty());
+    const std::vector<std::string> said = notices(100, false);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_EQ(said[0],
+              "particles of parts 2 and 1 have the densities 100 and 1000: where they meet, FORM 0 to 4 "
+              "and 12 of *CONTROL_SPH are wrong by that ratio; FORM 5 and 6 are not");
 }
 
 } // namespace plash

@@ -109,9 +109,9 @@ TEST(SphMovingDomain, TheWakeDoesNotComeBack)
     EXPECT_LT(without.balance_error, 0.01);
 }
 
-// Open: 4.6 %. Moving particles back to their places in the calm zone does work that is not booked.
-TEST(SphMovingDomain, DISABLED_CalmingIsBooked)
+TEST(SphMovingDomain, CalmingIsBooked)
 {
+    // 0.1 % as measured; 4.6 % when the force of the step in which a particle is calmed is not counted.
     EXPECT_LT(pass_over_a_disturbance(0.5).balance_error, 0.01);
 }
 
