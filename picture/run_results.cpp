@@ -98,6 +98,16 @@ void append_particle(const double* middle, double radius, float value, bool valu
 /// Half of the spacing of particles over their smoothing length, for the usual 1.2.
 constexpr double radius_share = 0.42;
 
+/// Of the particles in a grid, by cell; nullptr: there are none.
+vtkDataArray* smoothing_lengths(vtkCellData* data)
+{
+    // d3plot's name in two versions of VTK, and that of Plash's own files
+    for (const char* name : {"InfluenceRadius", "RadiusOfInfluence", "smoothing_length"}) {
+        if (vtkDataArray* found = data->GetArray(name)) return found;
+    }
+    return nullptr;
+}
+
 /// Appends the outside of a grid that carries the values.
 void append_outside(vtkUnstructuredGrid* grid, Surface& surface)
 {
@@ -114,8 +124,7 @@ void append_outside(vtkUnstructuredGrid* grid, Surface& surface)
         if (point_values) surface.point_values.push_back(static_cast<float>(point_values->GetTuple1(i)));
     }
     vtkDataArray* cell_values = outside->GetCellData()->GetArray(value_name);
-    vtkDataArray* smoothing = outside->GetCellData()->GetArray("RadiusOfInfluence");
-    if (!smoothing) smoothing = outside->GetCellData()->GetArray("smoothing_length");
+    vtkDataArray* smoothing = smoothing_lengths(outside->GetCellData());
     vtkNew<vtkIdList> corners;
     for (vtkIdType i = 0; i < outside->GetNumberOfCells(); ++i) {
         outside->GetCellPoints(i, corners);
@@ -153,12 +162,18 @@ struct RunResults::Source {
 
 struct RunResults::D3plotSource : RunResults::Source {
     vtkNew<vtkLSDynaReader> reader;
+    vtkNew<vtkLSDynaReader>
+        particle_reader; ///< VTK finds particles deleted at random: this one keeps all cells
+    bool has_particles = false;
 
     explicit D3plotSource(const std::string& path)
     {
         reader->SetFileName(path.c_str());
         reader->UpdateInformation();
         reader->SetRemoveDeletedCells(true);
+        particle_reader->SetFileName(path.c_str());
+        particle_reader->UpdateInformation();
+        particle_reader->SetRemoveDeletedCells(false);
         for (vtkIdType i = 0; i < reader->GetNumberOfTimeSteps(); ++i)
             times.push_back(reader->GetTimeValue(i));
         if (const char* text = reader->GetTitle()) title = text;
@@ -170,18 +185,26 @@ struct RunResults::D3plotSource : RunResults::Source {
         reader->SetTimeStep(static_cast<vtkIdType>(state));
         reader->Update();
         Surface surface;
-        append_blocks(reader->GetOutput(), quantity, surface);
+        append_blocks(reader->GetOutput(), false, quantity, surface);
+        if (!has_particles) return surface;
+        particle_reader->SetTimeStep(static_cast<vtkIdType>(state));
+        particle_reader->Update();
+        append_blocks(particle_reader->GetOutput(), true, quantity, surface);
         return surface;
     }
 
-    static void append_blocks(vtkMultiBlockDataSet* blocks, Quantity quantity, Surface& surface)
+    /// Appends the blocks of particles, or all others.
+    void append_blocks(vtkMultiBlockDataSet* blocks, bool of_particles, Quantity quantity, Surface& surface)
     {
         for (unsigned i = 0; i < blocks->GetNumberOfBlocks(); ++i) {
             vtkDataObject* block = blocks->GetBlock(i);
             if (auto* inner = vtkMultiBlockDataSet::SafeDownCast(block))
-                append_blocks(inner, quantity, surface);
+                append_blocks(inner, of_particles, quantity, surface);
             auto* grid = vtkUnstructuredGrid::SafeDownCast(block);
             if (!grid || grid->GetNumberOfCells() == 0) continue;
+            const bool particles = smoothing_lengths(grid->GetCellData()) != nullptr;
+            has_particles = has_particles || particles;
+            if (particles != of_particles) continue;
             const auto cells = [&](const std::vector<std::string>& names, double (*measure)(const double*)) {
                 add_values(grid->GetCellData(), grid->GetNumberOfCells(), names, measure);
             };
