@@ -4,9 +4,8 @@
 
 namespace plash {
 
-OutsideWork apply_outside(BoxFields& fields, std::span<const NodeForceFromOutside> forces,
-                          std::span<const HeldNode> held, double step, double impulse_step,
-                          const std::array<double, 3>& gravity)
+OutsideWork push_nodes(FluidFields& fields, std::span<const NodeForceFromOutside> forces, double step,
+                       double impulse_step, const std::array<double, 3>& gravity)
 {
     OutsideWork work;
     for (const NodeForceFromOutside& outside : forces) {
@@ -19,6 +18,26 @@ OutsideWork apply_outside(BoxFields& fields, std::span<const NodeForceFromOutsid
             work.gravity += fields.node_mass[node] * gravity[axis] * step * 0.5 * gain;
         }
     }
+    return work;
+}
+
+double work_of_forces(const FluidFields& fields, std::span<const NodeForceFromOutside> forces,
+                      double impulse_step)
+{
+    double work = 0;
+    for (const NodeForceFromOutside& outside : forces) {
+        for (int axis = 0; axis < 3; ++axis) {
+            work += outside.force[axis] * impulse_step * fields.mean_velocity[axis][outside.place];
+        }
+    }
+    return work;
+}
+
+OutsideWork apply_outside(FluidFields& fields, std::span<const NodeForceFromOutside> forces,
+                          std::span<const HeldNode> held, double step, double impulse_step,
+                          const std::array<double, 3>& gravity)
+{
+    OutsideWork work = push_nodes(fields, forces, step, impulse_step, gravity);
     for (const HeldNode& node : held) {
         for (int axis = 0; axis < 3; ++axis) {
             if (!(node.axes & (1u << axis))) continue;
@@ -34,15 +53,11 @@ OutsideWork apply_outside(BoxFields& fields, std::span<const NodeForceFromOutsid
         }
     }
     // Forces work on what the node has in the end become.
-    for (const NodeForceFromOutside& outside : forces) {
-        for (int axis = 0; axis < 3; ++axis) {
-            work.forces += outside.force[axis] * impulse_step * fields.mean_velocity[axis][outside.place];
-        }
-    }
+    work.forces = work_of_forces(fields, forces, impulse_step);
     return work;
 }
 
-void hold_nodes(BoxFields& fields, std::span<const HeldNode> held)
+void hold_nodes(FluidFields& fields, std::span<const HeldNode> held)
 {
     for (const HeldNode& node : held) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -79,7 +94,7 @@ void for_ghosts(const BoxGrid& grid, int rim, Visit&& visit)
 
 } // namespace
 
-void press_on_sides(const BoxGrid& grid, BoxFields& fields, double pressure)
+void press_on_sides(const BoxGrid& grid, FluidFields& fields, double pressure)
 {
     for_ghosts(grid, 1, [&](std::ptrdiff_t ghost, int, int) {
         fields.pressure[ghost] = pressure;
@@ -87,7 +102,7 @@ void press_on_sides(const BoxGrid& grid, BoxFields& fields, double pressure)
     });
 }
 
-double work_on_sides(const BoxGrid& grid, const BoxFields& fields, const BoxContents& contents,
+double work_on_sides(const BoxGrid& grid, const FluidFields& fields, const BoxContents& contents,
                      double pressure)
 {
     double inward = 0;
@@ -98,6 +113,24 @@ double work_on_sides(const BoxGrid& grid, const BoxFields& fields, const BoxCont
         inward += side == 0 ? fields.volume_flux[axis][face] : -fields.volume_flux[axis][face];
     });
     return pressure * inward;
+}
+
+double motion_through_sides(const BoxGrid& grid, const FluidFields& fields, int axis)
+{
+    const std::ptrdiff_t a = grid.stride((axis + 1) % 3), b = grid.stride((axis + 2) % 3);
+    double outward = 0;
+    for_ghosts(grid, 0, [&](std::ptrdiff_t ghost, int side, int across) {
+        if (across != axis) return;
+        const std::ptrdiff_t face = side == 0 ? ghost + grid.stride(axis) : ghost;
+        const double mass = (side == 0 ? -1 : 1) * fields.mass_flux[axis][face];
+        if (mass == 0) return;
+        double squares = 0;
+        for (const std::ptrdiff_t node : {face, face + a, face + b, face + a + b})
+            for (const AlignedDoubles& component : fields.velocity)
+                squares += component[node] * component[node];
+        outward += 0.125 * mass * squares;
+    });
+    return outward;
 }
 
 std::vector<HeldNode> walls_of_box(const BoxGrid& grid, unsigned sides)

@@ -27,18 +27,29 @@ struct OutsideWork {
     double gravity = 0; ///< correction where nodes do not follow gravity alone
 };
 
-/// Adds outside forces to the velocities that accelerate() has found, then gives held nodes theirs. Impulses
-/// are force times `impulse_step`, the span over which the structures' side of the same force acts.
-OutsideWork apply_outside(BoxFields&, std::span<const NodeForceFromOutside>, std::span<const HeldNode>,
+/// Adds the impulses of outside forces to the velocities that accelerate() has found: force times
+/// `impulse_step`, the span over which the structures' side of the same force acts. Returns the correction of
+/// gravity's work only.
+OutsideWork push_nodes(FluidFields&, std::span<const NodeForceFromOutside>, double step, double impulse_step,
+                       const std::array<double, 3>& gravity);
+/// Work of outside forces in the step, once its mean velocities are known [energy].
+double work_of_forces(const FluidFields&, std::span<const NodeForceFromOutside>, double impulse_step);
+
+/// Adds outside forces to the velocities that accelerate() has found, then gives held nodes theirs.
+OutsideWork apply_outside(FluidFields&, std::span<const NodeForceFromOutside>, std::span<const HeldNode>,
                           double step, double impulse_step, const std::array<double, 3>& gravity);
 
 /// Velocities of held nodes after the remap; the kinetic energy that this takes counts as lost in the remap.
-void hold_nodes(BoxFields&, std::span<const HeldNode>);
+void hold_nodes(FluidFields&, std::span<const HeldNode>);
 
 /// A pressure beyond the outer faces of the box: into the ghosts, for the forces of the coming step.
-void press_on_sides(const BoxGrid&, BoxFields&, double pressure);
+void press_on_sides(const BoxGrid&, FluidFields&, double pressure);
 /// Its work in the step, once the volumes that pass the faces are known [energy].
-double work_on_sides(const BoxGrid&, const BoxFields&, const BoxContents&, double pressure);
+double work_on_sides(const BoxGrid&, const FluidFields&, const BoxContents&, double pressure);
+
+/// Kinetic energy that leaves through the outer faces across an axis in its sweep, with the masses that pass
+/// there and the velocities which the nodes have before their momentum is swept [energy].
+double motion_through_sides(const BoxGrid&, const FluidFields&, int axis);
 
 /// Nodes of the box's sides, held against flow through them (slip walls); bit 2 axis + side of `sides` names
 /// a side.

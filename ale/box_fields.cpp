@@ -6,33 +6,17 @@
 
 namespace plash {
 
-BoxFields::BoxFields(const BoxGrid& grid, int group_count, bool mixed, bool viscous_flow)
-    : groups(group_count)
+FluidFields box_fields(const BoxGrid& grid, int group_count, bool mixed, bool viscous_flow)
 {
-    const std::size_t size = grid.storage();
-    for (GroupFields& group : groups) {
-        group.mass.resize(size);
-        group.energy.resize(size);
-        if (!mixed) continue;
-        group.fraction.resize(size);
-        group.share.resize(size);
-        for (auto& side : group.share_of_outflow) side.resize(size);
-    }
-    if (group_count > 1) mass_of_groups.resize(size);
+    FluidFields fields(grid.storage(), grid.storage(), group_count, mixed, viscous_flow);
     for (int axis = 0; axis < 3; ++axis) {
-        velocity[axis].resize(size);
-        mean_velocity[axis].resize(size);
-        volume_flux[axis].resize(size);
-        mass_flux[axis].resize(size);
+        fields.volume_flux[axis].resize(grid.storage());
+        fields.mass_flux[axis].resize(grid.storage());
     }
-    for (AlignedDoubles* array : {&pressure, &pressure_rate, &node_mass}) array->resize(size);
-    volume.assign(size, 1.0); // ghosts keep a volume, so that nobody divides by zero
-    if (viscous_flow) {
-        for (auto& component : viscous) component.resize(size);
-    }
+    return fields;
 }
 
-void mirror_fractions(const BoxGrid& grid, BoxFields& fields)
+void mirror_fractions(const BoxGrid& grid, FluidFields& fields)
 {
     const int nx = grid.cells(0), ny = grid.cells(1), nz = grid.cells(2);
     for (GroupFields& group : fields.groups) {
@@ -59,7 +43,7 @@ BoxContents::BoxContents(const BoxGrid& grid, bool mixed) : mixed_(mixed)
     near_cells_ = near_nodes_ = along_rows_ = own_;
 }
 
-void BoxContents::update(const BoxGrid& grid, const BoxFields& fields)
+void BoxContents::update(const BoxGrid& grid, const FluidFields& fields)
 {
     if (!mixed_) return;
     const int group_count = static_cast<int>(fields.groups.size());

@@ -1,101 +1,84 @@
 #include "ale/box_fluid.h"
 
+#include "ale/grid_point.h"
+
+#include <algorithm>
+
 namespace plash {
 
 BoxFluid::BoxFluid(BoxGrid box, std::vector<FluidGroup> all_groups, LagrangeSettings settings)
-    : grid(std::move(box)),
-      groups(std::move(all_groups)),
-      lagrange(settings),
-      fields(grid, static_cast<int>(groups.size()), settings.void_allowed || groups.size() > 1,
-             settings.viscous),
+    : Fluid(all_groups, settings,
+            box_fields(box, static_cast<int>(all_groups.size()),
+                       settings.void_allowed || all_groups.size() > 1, settings.viscous)),
+      grid(std::move(box)),
       contents(grid, settings.void_allowed || groups.size() > 1),
       scratch_(grid, static_cast<int>(groups.size()))
 {}
 
-void BoxFluid::fill_cell(int i, int j, int k, int group, double fraction, double density,
-                         double energy_per_mass)
+double BoxFluid::accelerate(double step)
 {
-    const std::ptrdiff_t place = grid.at(i, j, k);
-    const double mass = fraction * grid.volume(i, j, k) * density;
-    fields.groups[group].mass[place] = mass;
-    fields.groups[group].energy[place] = mass * energy_per_mass;
-    if (!fields.groups[group].fraction.empty()) fields.groups[group].fraction[place] = fraction;
-    if (groups.size() == 1) return;
-    fields.mass_of_groups[place] = 0;
-    for (const GroupFields& other : fields.groups) fields.mass_of_groups[place] += other.mass[place];
+    return plash::accelerate(grid, fields, contents, step, gravity);
 }
 
-void BoxFluid::start()
+void BoxFluid::deform(double step)
 {
-    contents.update(grid, fields);
-    hold_nodes(fields, held);
-    evaluate(0);
-    find_node_masses(grid, fields, contents);
-    sum_energies();
+    plash::deform(grid, fields, contents, step, lagrange.mesh_velocity);
 }
 
-void BoxFluid::evaluate(double last_step)
+double BoxFluid::work_on_sides() const
 {
-    limit_ = evaluate_state(grid, fields, contents, groups, lagrange, last_step);
-    if (outside_pressure != 0) press_on_sides(grid, fields, outside_pressure);
+    return plash::work_on_sides(grid, fields, contents, outside_pressure);
 }
 
-void BoxFluid::sum_energies()
+double BoxFluid::sweep()
 {
-    energies_.kinetic = kinetic_energy(grid, fields, contents);
-    energies_.internal = 0;
-    energies_.group_internal.resize(groups.size());
-    for (int group = 0; group < static_cast<int>(groups.size()); ++group) {
-        energies_.group_internal[group] = internal_energy(grid, fields, contents, group);
-        energies_.internal += energies_.group_internal[group];
-    }
-}
-
-double BoxFluid::sum_internal() const
-{
-    double sum = 0;
-    for (int group = 0; group < static_cast<int>(groups.size()); ++group)
-        sum += internal_energy(grid, fields, contents, group);
-    return sum;
-}
-
-void BoxFluid::remap()
-{
-    // The order of the axes goes round so that none is favoured, forth and back for second order (Strang
-    // 1968).
-    static constexpr int orders[6][3] = {{0, 1, 2}, {2, 1, 0}, {1, 2, 0}, {0, 2, 1}, {2, 0, 1}, {1, 0, 2}};
-    const double before = open_sides ? sum_internal() : 0;
-    for (const int axis : orders[steps_ % 6]) {
+    double left = 0;
+    for (int position = 0; position < 3; ++position) {
+        const int axis = swept_direction(steps_done(), position, 3);
         find_outflow_shares(grid, fields, contents, axis);
         sweep_cells(grid, fields, contents, scratch_, axis, order);
+        if (open_sides) left += motion_through_sides(grid, fields, axis);
         sweep_momentum(grid, fields, contents, scratch_, axis, order);
         contents.update(grid, fields);
     }
-    hold_nodes(fields, held);
-    if (open_sides) energies_.outflow += before - sum_internal();
-    if (!fields.lost_motion.empty()) energies_.advection_loss -= return_lost_motion(grid, fields, contents);
+    return left;
 }
 
-void BoxFluid::conserve_total_energy()
+double BoxFluid::return_lost_motion()
 {
-    fields.lost_motion.assign(grid.storage(), 0.0);
+    return plash::return_lost_motion(grid, fields, contents);
 }
 
-void BoxFluid::advance(double step, double impulse_step)
+void BoxFluid::find_node_masses()
 {
-    const double gravity_work = accelerate(grid, fields, contents, step, gravity);
-    const OutsideWork outside = apply_outside(fields, outside_forces, held, step, impulse_step, gravity);
-    energies_.outside_work += gravity_work + outside.gravity + outside.driving;
-    energies_.coupling_work += outside.forces;
-    deform(grid, fields, contents, step, lagrange.mesh_velocity);
-    if (outside_pressure != 0)
-        energies_.outside_work += work_on_sides(grid, fields, contents, outside_pressure);
-    const double before = kinetic_energy(grid, fields, contents);
-    remap();
-    ++steps_;
-    evaluate(step);
-    sum_energies();
-    energies_.advection_loss += before - energies_.kinetic;
+    plash::find_node_masses(grid, fields, contents);
+}
+
+CrossingRate BoxFluid::evaluate(double last_step)
+{
+    const CrossingRate limit = evaluate_state(grid, fields, contents, groups, lagrange, last_step);
+    if (outside_pressure != 0) press_on_sides(grid, fields, outside_pressure);
+    return limit;
+}
+
+std::ptrdiff_t BoxFluid::number_of(std::ptrdiff_t place) const
+{
+    const std::ptrdiff_t offset = place - grid.at(0, 0, 0);
+    if (offset < 0) return -1;
+    const std::ptrdiff_t k = offset / grid.stride(2), j = offset % grid.stride(2) / grid.stride(1),
+                         i = offset % grid.stride(2) % grid.stride(1);
+    const bool inside = i < grid.cells(0) && j < grid.cells(1) && k < grid.cells(2);
+    return inside ? i + grid.cells(0) * (j + grid.cells(1) * k) : -1;
+}
+
+double BoxFluid::kinetic_energy() const
+{
+    return plash::kinetic_energy(grid, fields, contents);
+}
+
+double BoxFluid::internal_energy(int group) const
+{
+    return plash::internal_energy(grid, fields, contents, group);
 }
 
 double BoxFluid::total_mass(int group) const
@@ -123,6 +106,96 @@ std::array<double, 3> BoxFluid::momentum() const
         }
     }
     return sum;
+}
+
+std::size_t BoxFluid::node_count() const
+{
+    return std::size_t(grid.cells(0) + 1) * (grid.cells(1) + 1) * (grid.cells(2) + 1);
+}
+
+FluidCell BoxFluid::cell(std::size_t number) const
+{
+    const int nx = grid.cells(0), ny = grid.cells(1);
+    const int i = static_cast<int>(number % nx), j = static_cast<int>(number / nx % ny),
+              k = static_cast<int>(number / nx / ny);
+    FluidCell cell;
+    cell.place = grid.at(i, j, k);
+    cell.volume = grid.volume(i, j, k);
+    for (int corner = 0; corner < 8; ++corner) {
+        const int a = i + (corner & 1), b = j + (corner >> 1 & 1), c = k + (corner >> 2);
+        cell.corners[corner] = grid.at(a, b, c);
+        cell.points[corner] = {grid.planes(0)[a], grid.planes(1)[b], grid.planes(2)[c]};
+    }
+    return cell;
+}
+
+std::ptrdiff_t BoxFluid::node_place(std::size_t number) const
+{
+    const int nx = grid.cells(0) + 1, ny = grid.cells(1) + 1;
+    return grid.at(static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
+                   static_cast<int>(number / nx / ny));
+}
+
+std::vector<OuterNode> BoxFluid::outer_nodes() const
+{
+    std::vector<OuterNode> nodes;
+    const std::size_t nx = grid.cells(0) + 1, ny = grid.cells(1) + 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+        int index[3];
+        for (int side = 0; side < 2; ++side) {
+            index[axis] = side * grid.cells(axis);
+            for (index[b] = 0; index[b] <= grid.cells(b); ++index[b])
+                for (index[a] = 0; index[a] <= grid.cells(a); ++index[a])
+                    nodes.push_back({index[0] + nx * (index[1] + ny * index[2]), axis});
+        }
+    }
+    return nodes;
+}
+
+void BoxFluid::shift(const std::array<double, 3>& distance)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (distance[axis] != 0) grid.shift(axis, distance[axis]);
+}
+
+MeshPoint BoxFluid::locate(const Vec3& point, const std::array<int, 3>& guess) const
+{
+    return plash::locate(grid, point, guess);
+}
+
+std::ptrdiff_t BoxFluid::place_of(const MeshPoint& point) const
+{
+    return grid.at(point.cell[0], point.cell[1], point.cell[2]);
+}
+
+PlaceWeights BoxFluid::node_weights(const MeshPoint& point) const
+{
+    return plash::node_weights(grid, point);
+}
+
+PlaceWeights BoxFluid::cell_weights(const MeshPoint& point) const
+{
+    return plash::cell_weights(grid, point);
+}
+
+std::array<Vec3, 3> BoxFluid::edges(const MeshPoint& point) const
+{
+    return {Vec3{grid.width(0, point.cell[0]), 0, 0}, Vec3{0, grid.width(1, point.cell[1]), 0},
+            Vec3{0, 0, grid.width(2, point.cell[2])}};
+}
+
+double BoxFluid::point_spacing(const Vec3&, const Vec3&) const
+{
+    return 0.5 * std::min({grid.smallest_width(0), grid.smallest_width(1), grid.smallest_width(2)});
+}
+
+void BoxFluid::serialise(Archive& archive)
+{
+    Fluid::serialise(archive);
+    std::array<std::vector<double>, 3> planes{grid.planes(0), grid.planes(1), grid.planes(2)};
+    archive(contents, planes);
+    if (archive.loading()) grid.set_planes(std::move(planes));
 }
 
 } // namespace plash

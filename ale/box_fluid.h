@@ -1,71 +1,56 @@
 #pragma once
 
-#include "ale/box_boundary.h"
-#include "ale/lagrange.h"
-#include "ale/remap.h"
-
-#include <functional>
+#include "ale/box_fields.h"
+#include "ale/fluid.h"
 
 namespace plash {
 
-/// What a box of fluid has done so far [energy]. Kinetic and internal are at t_n.
-struct FluidEnergies {
-    double kinetic = 0;
-    double internal = 0;
-    double outside_work = 0;   ///< by gravity, outside pressure and driven nodes
-    double coupling_work = 0;  ///< by outside forces
-    double advection_loss = 0; ///< kinetic energy that the remap has taken
-    double outflow = 0;        ///< internal energy that has left through open sides; only with open_sides
-    std::vector<double> group_internal; ///< internal energy by group
-};
-
-/// An Eulerian fluid on one box: state, step and energies. All times t_n; see ale/lagrange.h and ale/remap.h
-/// for the two halves of a step.
-class BoxFluid {
+/// A fluid on a box of cells between planes (BoxGrid).
+class BoxFluid : public Fluid {
 public:
     BoxGrid grid;
-    std::vector<FluidGroup> groups;
-    LagrangeSettings lagrange;
-    AdvectionOrder order = AdvectionOrder::van_leer;
-    std::array<double, 3> gravity{}; ///< [acceleration]
-    bool open_sides = false;         ///< fluid may cross the outer faces
-    double outside_pressure = 0;     ///< on the outer faces [pressure]
-    BoxFields fields;
     BoxContents contents;
-    std::vector<HeldNode> held;
-    std::vector<NodeForceFromOutside> outside_forces; ///< of the coming step; the owner fills and clears it
 
     BoxFluid(BoxGrid grid, std::vector<FluidGroup> groups, LagrangeSettings settings);
 
-    /// The kinetic energy that the remap takes shall become heat where it was taken.
-    void conserve_total_energy();
-    /// To be called once the initial masses, energies, fractions and velocities are set.
-    void start();
-    /// From t_n to t_n + step. Outside forces act with `impulse_step` (the loop's velocity step).
-    void advance(double step, double impulse_step);
-    void advance(double step) { advance(step, step); }
+    void fill_cell(int i, int j, int k, int group, double fraction, double density, double energy_per_mass)
+    {
+        fill_place(grid.at(i, j, k), grid.volume(i, j, k), group, fraction, density, energy_per_mass);
+    }
+    double total_mass(int group) const override;
+    std::array<double, 3> momentum() const override;
 
-    /// Largest stable step at t_n, before any safety factor [time], and the cell that limits it.
-    double stable_step() const { return limit_.rate > 0 ? 1 / limit_.rate : 1e300; }
-    std::ptrdiff_t limiting_cell() const { return limit_.place; }
-    const FluidEnergies& energies() const { return energies_; }
-    long steps_done() const { return steps_; }
+    std::size_t cell_count() const override { return grid.cell_count(); }
+    std::size_t node_count() const override;
+    FluidCell cell(std::size_t number) const override;
+    std::ptrdiff_t node_place(std::size_t number) const override;
+    std::vector<OuterNode> outer_nodes() const override;
+    void shift(const std::array<double, 3>& distance) override;
 
-    /// Sets a cell to hold `fraction` of a group at the given density and energy per mass.
-    void fill_cell(int i, int j, int k, int group, double fraction, double density, double energy_per_mass);
-    double total_mass(int group) const;
-    std::array<double, 3> momentum() const;
+    MeshPoint locate(const Vec3& point, const std::array<int, 3>& guess) const override;
+    std::ptrdiff_t place_of(const MeshPoint& point) const override;
+    PlaceWeights node_weights(const MeshPoint& point) const override;
+    PlaceWeights cell_weights(const MeshPoint& point) const override;
+    std::array<Vec3, 3> edges(const MeshPoint& point) const override;
+    double point_spacing(const Vec3& a, const Vec3& b) const override;
+
+    void serialise(Archive& archive) override;
+
+protected:
+    double accelerate(double step) override;
+    void deform(double step) override;
+    double work_on_sides() const override;
+    double sweep() override;
+    double return_lost_motion() override;
+    void find_node_masses() override;
+    CrossingRate evaluate(double last_step) override;
+    std::ptrdiff_t number_of(std::ptrdiff_t place) const override;
+    void update_contents() override { contents.update(grid, fields); }
+    double kinetic_energy() const override;
+    double internal_energy(int group) const override;
 
 private:
     RemapScratch scratch_;
-    CrossingRate limit_;
-    FluidEnergies energies_;
-    long steps_ = 0;
-
-    void remap();
-    void evaluate(double last_step);
-    void sum_energies();
-    double sum_internal() const;
 };
 
 } // namespace plash

@@ -1,21 +1,10 @@
 #include "ale/box_grid.h"
 
+#include "ale/slope.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace plash {
-
-namespace {
-
-/// Weight of the difference over distance `near` in the difference across a zone of width `zone`, when the
-/// other neighbour is `far` away.
-double parabola_weight(double zone, double near, double far)
-{
-    const double weight = zone * far / (near * (near + far));
-    return std::abs(weight - 0.5) < 1e-12 ? 0.5 : weight;
-}
-
-} // namespace
 
 BoxGrid::BoxGrid(std::array<std::vector<double>, 3> planes) : planes_(std::move(planes))
 {

@@ -48,6 +48,8 @@ public:
     {
         for (double& plane : planes_[axis]) plane += distance;
     }
+    /// Planes that have been shifted, from a restart file.
+    void set_planes(std::array<std::vector<double>, 3> planes) { planes_ = std::move(planes); }
 
     /// Distance in memory between neighbours along an axis.
     std::ptrdiff_t stride(int axis) const { return stride_[axis]; }

@@ -35,4 +35,55 @@ inline Lane carried_value(const Line<Lane>& line, Mask upward, Lane part, const 
     return mean_of_outflow(donor, limited_difference(before, after, central), part);
 }
 
+/// What one group has in the four cells of a line.
+template <class Lane>
+struct GroupLine {
+    Line<Lane> density;              ///< [density]
+    Line<Lane> energy;               ///< per mass [energy/mass]
+    Line<Lane> mass, inverse_mass;   ///< zero where there is none
+    Lane volume_below, volume_above; ///< of the group in the cells beside the face [volume]
+};
+
+/// What passes a face of a group, positive upward.
+template <class Lane>
+struct GroupFlux {
+    Lane volume, mass, energy;
+};
+
+/// Of cells that are not all full of the group. In a line, cells without the group repeat the donor's value,
+/// and donors that hold an interface are taken as uniform.
+/// flux      volume of all that passes, positive upward
+/// fraction  of the group in the donor
+/// cut       the group's share in what leaves the donor where that holds an interface
+template <bool second_order, class Lane>
+inline GroupFlux<Lane> partial_flux(const GroupLine<Lane>& line, Lane flux, Lane fraction, Lane cut,
+                                    const LineWeights<Lane>& weights)
+{
+    const auto upward = flux > 0.0;
+    const auto interface = (fraction > 0.0) & (fraction < 1.0);
+    const Lane share = interface ? cut : fraction;
+    const Lane available = upward ? line.volume_below : line.volume_above;
+    const Lane donor_mass = upward ? line.mass.below : line.mass.above;
+    const Lane wanted = abs(flux) * share;
+    // What would leave next to nothing behind takes all.
+    const auto everything = wanted > available * (1 - 1e-10);
+    const Lane out = everything ? available : wanted;
+    const Lane sign = upward ? broadcast<Lane>(1) : broadcast<Lane>(-1);
+    const Lane part = available > 0.0 ? out / available : Lane{};
+    const auto known = [&](const Line<Lane>& values) {
+        const Lane donor = upward ? values.below : values.above;
+        const auto pick = [&](Lane value, Lane own_mass) {
+            return interface ? donor : own_mass > 0.0 ? value : donor;
+        };
+        return Line<Lane>{pick(values.far_below, line.mass.far_below), pick(values.below, line.mass.below),
+                          pick(values.above, line.mass.above), pick(values.far_above, line.mass.far_above)};
+    };
+    const Lane carried = carried_value<second_order>(known(line.density), upward, part, weights);
+    const Lane of_mass = everything ? donor_mass : min(out * carried, donor_mass);
+    const Lane mass_part = of_mass * (upward ? line.inverse_mass.below : line.inverse_mass.above);
+    const Lane energies = carried_value<second_order>(known(line.energy), upward, mass_part, weights);
+    const Lane signed_mass = sign * of_mass;
+    return {sign * out, signed_mass, signed_mass * energies};
+}
+
 } // namespace plash

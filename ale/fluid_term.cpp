@@ -1,5 +1,6 @@
 #include "ale/fluid_term.h"
 
+#include "ale/hex/hex_fluid.h"
 #include "ale/hydrostatic.h"
 #include "ale/initial_state.h"
 #include "core/prescribed_rate.h"
@@ -24,20 +25,22 @@ LagrangeSettings lagrange_settings_of(const Model& model, const DeckGroups& grou
     return settings;
 }
 
-template <class Visit>
-void for_cells(const BoxGrid& grid, Visit&& visit)
+std::unique_ptr<Fluid> make_fluid(const Model& model, const MeshBlock& block, const DeckGroups& groups)
 {
-    for (int k = 0; k < grid.cells(2); ++k)
-        for (int j = 0; j < grid.cells(1); ++j)
-            for (int i = 0; i < grid.cells(0); ++i) visit(i, j, k);
-}
-
-template <class Visit>
-void for_nodes(const BoxGrid& grid, Visit&& visit)
-{
-    for (int k = 0; k <= grid.cells(2); ++k)
-        for (int j = 0; j <= grid.cells(1); ++j)
-            for (int i = 0; i <= grid.cells(0); ++i) visit(i, j, k);
+    const LagrangeSettings settings = lagrange_settings_of(model, groups);
+    if (block.is_box()) return std::make_unique<BoxFluid>(BoxGrid(block.planes), groups.fluids(), settings);
+    std::vector<Vec3> position;
+    position.reserve(block.nodes.size());
+    for (Index node : block.nodes) position.push_back(model.nodes.position[node]);
+    try {
+        return std::make_unique<HexFluid>(make_hex_mesh(std::move(position), block.corners), groups.fluids(),
+                                          settings);
+    } catch (const HexDefect& defect) {
+        const Index solid = block.solids[defect.cell];
+        const Part& part = model.parts[model.solids.part[solid]];
+        throw DeckError(part.where, fmt::format("*ELEMENT_SOLID {} of the Eulerian part {} '{}': {}",
+                                                model.solids.id[solid], part.id, part.title, defect.why));
+    }
 }
 
 } // namespace
@@ -47,30 +50,100 @@ EulerianFluid::EulerianFluid(const Model& model, MeshBlock block, DeckGroups gro
     : model_(model),
       block_(std::move(block)),
       groups_(std::move(groups)),
-      fluid_(BoxGrid(block_.planes), groups_.fluids(), lagrange_settings_of(model, groups_)),
-      boundary_(mesh_boundary_of(fluid_.grid, block_, settings, model)),
+      fluid_(make_fluid(model, block_, groups_)),
+      boundary_(mesh_boundary_of(*fluid_, block_, settings, model)),
       motion_(mesh_motion_of(model, block_))
 {
-    fluid_.order = settings.order;
-    fluid_.open_sides = boundary_.open;
-    fluid_.outside_pressure = settings.outside_pressure;
-    fill_initial_state(fluid_, block_, groups_, model);
-    set_hydrostatic_state(fluid_, block_, groups_, model);
-    if (settings.conserve_total_energy) fluid_.conserve_total_energy();
+    fluid_->order = settings.order;
+    fluid_->open_sides = boundary_.open;
+    fluid_->outside_pressure = settings.outside_pressure;
+    fill_initial_state(*fluid_, block_, groups_, model);
+    set_hydrostatic_state(*fluid_, block_, groups_, model);
+    if (settings.conserve_total_energy) fluid_->conserve_total_energy();
+    find_ambient_cells();
+    find_loaded_nodes();
+}
+
+/// ELFORM 7, or AET: cells that stand for a reservoir and keep the state in which they start.
+void EulerianFluid::find_ambient_cells()
+{
+    std::vector<bool> ambient(model_.parts.size());
+    for (std::size_t index = 0; index < model_.parts.size(); ++index) {
+        if (!is_eulerian(model_, static_cast<Index>(index))) continue;
+        const Record& section = model_.sections[model_.parts[index].section];
+        const Id type = section.integer("AET");
+        if (type != 0 && type != 3 && type != 4)
+            throw DeckError(section.where,
+                            fmt::format("*{} {}, field AET: {} is not supported; there are 0 none, 3 and 4 "
+                                        "(fluid in and out at the pressure of the start)",
+                                        section.keyword, section.id, type));
+        ambient[index] = type != 0 || section.integer("ELFORM") == 7;
+    }
+    std::vector<std::ptrdiff_t> places;
+    for (std::size_t number = 0; number < block_.solids.size(); ++number)
+        if (ambient[model_.solids.part[block_.solids[number]]]) places.push_back(fluid_->cell(number).place);
+    fluid_->keep_ambient(std::move(places));
+}
+
+/// Loads of the deck on nodes of the mesh act on the fluid there.
+void EulerianFluid::find_loaded_nodes()
+{
+    std::vector<bool> loaded(model_.nodes.size());
+    const Location* where = nullptr;
+    for (const PressureLoad& load : model_.pressure_loads) {
+        for (const auto& segment : load.segments)
+            for (Index node : segment) loaded[node] = true;
+        where = &load.where;
+    }
+    for (const NodalLoad& load : model_.nodal_loads) {
+        for (Index node : load.nodes) loaded[node] = true;
+        where = &load.where;
+    }
+    for (std::size_t number = 0; number < block_.nodes.size(); ++number)
+        if (loaded[block_.nodes[number]]) loaded_nodes_.push_back(number);
+    if (!loaded_nodes_.empty() && motion_.kind != MeshMotion::Kind::none)
+        throw DeckError(*where, "a load acts on nodes of an Eulerian mesh that moves; there it has no work");
+}
+
+void EulerianFluid::take_loads(const State& state)
+{
+    fluid_->loads.clear();
+    for (const std::size_t number : loaded_nodes_) {
+        const Index node = block_.nodes[number];
+        const Vec3& force = state.force[node];
+        // Nodes that are a structure's as well carry its loads.
+        if (state.mass[node] > 0 || (force.x == 0 && force.y == 0 && force.z == 0)) continue;
+        fluid_->loads.push_back({fluid_->node_place(number), {force.x, force.y, force.z}});
+    }
+}
+
+std::vector<std::string> EulerianFluid::notices(const State&) const
+{
+    if (block_.is_box()) return {};
+    return {fmt::format(
+        "an Eulerian mesh of {} cells is taken as general hexahedra, which is slower than a box: {}",
+        block_.solids.size(), block_.why_no_box)};
+}
+
+void EulerianFluid::serialise(Archive& archive)
+{
+    fluid_->serialise(archive);
+    archive(started_, boundary_.held);
+    if (archive.loading()) fluid_->held = boundary_.held;
 }
 
 void EulerianFluid::start(State& state)
 {
-    for_nodes(fluid_.grid, [&](int i, int j, int k) {
-        Vec3& velocity = state.velocity[block_.nodes[block_.node(i, j, k)]];
-        const std::ptrdiff_t place = fluid_.grid.at(i, j, k);
+    for (std::size_t number = 0; number < block_.nodes.size(); ++number) {
+        Vec3& velocity = state.velocity[block_.nodes[number]];
+        const std::ptrdiff_t place = fluid_->node_place(number);
         const double parts[3] = {velocity.x, velocity.y, velocity.z};
-        for (int axis = 0; axis < 3; ++axis) fluid_.fields.velocity[axis][place] += parts[axis];
+        for (int axis = 0; axis < 3; ++axis) fluid_->fields.velocity[axis][place] += parts[axis];
         velocity = {};
-    });
+    }
     boundary_.follow(model_, 0, 0);
-    fluid_.held = boundary_.held;
-    fluid_.start();
+    fluid_->held = boundary_.held;
+    fluid_->start();
     started_ = true;
 }
 
@@ -83,8 +156,8 @@ void EulerianFluid::add_forces(const Clock& clock, State& state)
 /// The loop carries the nodes; the grid follows in after_motion.
 void EulerianFluid::move_mesh(const Clock& clock, State& state)
 {
-    const std::array<double, 3> velocity = motion_.velocity(model_, fluid_, clock.time);
-    fluid_.lagrange.mesh_velocity = velocity;
+    const std::array<double, 3> velocity = motion_.velocity(model_, *fluid_, clock.time);
+    fluid_->lagrange.mesh_velocity = velocity;
     for (Index node : block_.nodes) state.velocity[node] = {velocity[0], velocity[1], velocity[2]};
 }
 
@@ -101,33 +174,29 @@ std::array<double, 3> EulerianFluid::gravity(double time) const
     return {-sum.x, -sum.y, -sum.z};
 }
 
-void EulerianFluid::after_motion(const Clock& clock, State&)
+void EulerianFluid::after_motion(const Clock& clock, State& state)
 {
     if (!boundary_.driven.empty()) {
         boundary_.follow(model_, clock.time, clock.step);
-        fluid_.held = boundary_.held;
+        fluid_->held = boundary_.held;
     }
-    fluid_.gravity = gravity(clock.time + 0.5 * clock.step);
-    fluid_.advance(clock.step, clock.velocity_step());
-    for (int axis = 0; axis < 3; ++axis)
-        if (const double speed = fluid_.lagrange.mesh_velocity[axis]; speed != 0)
-            fluid_.grid.shift(axis, speed * clock.step);
-    fluid_.outside_forces.clear();
+    if (!loaded_nodes_.empty()) take_loads(state);
+    fluid_->gravity = gravity(clock.time + 0.5 * clock.step);
+    fluid_->advance(clock.step, clock.velocity_step());
+    std::array<double, 3> distance = fluid_->lagrange.mesh_velocity;
+    for (double& along : distance) along *= clock.step;
+    fluid_->shift(distance);
+    fluid_->outside_forces.clear();
 }
 
 StepVote EulerianFluid::stable_step() const
 {
     StepVote vote;
-    vote.step = fluid_.stable_step();
+    vote.step = fluid_->stable_step();
     vote.kind = "solid";
-    const BoxGrid& grid = fluid_.grid;
-    const std::ptrdiff_t offset = fluid_.limiting_cell() - grid.at(0, 0, 0);
-    if (offset < 0) return vote;
-    const int k = static_cast<int>(offset / grid.stride(2)),
-              j = static_cast<int>(offset % grid.stride(2) / grid.stride(1)),
-              i = static_cast<int>(offset % grid.stride(2) % grid.stride(1));
-    if (i >= grid.cells(0) || j >= grid.cells(1) || k >= grid.cells(2)) return vote;
-    const Index solid = block_.solids[block_.cell(i, j, k)];
+    const std::ptrdiff_t number = fluid_->limiting_cell();
+    if (number < 0) return vote;
+    const Index solid = block_.solids[number];
     vote.element = model_.solids.id[solid];
     vote.part = model_.parts[model_.solids.part[solid]].id;
     return vote;
@@ -141,7 +210,7 @@ Index EulerianFluid::part_of_group(const DeckGroup& group) const
 
 void EulerianFluid::report(EnergyLedger& ledger) const
 {
-    const FluidEnergies& energies = fluid_.energies();
+    const FluidEnergies& energies = fluid_->energies();
     ledger.kinetic += energies.kinetic;
     for (const DeckGroup& group : groups_.groups) {
         if (group.fluid == none || energies.group_internal.empty()) continue;
@@ -163,13 +232,13 @@ void EulerianFluid::collect_cells(ElementResults& results) const
 {
     if (results.solid_stress.empty() && results.solid_density.empty() && results.solid_fraction.empty())
         return;
-    const BoxGrid& grid = fluid_.grid;
-    const BoxFields& fields = fluid_.fields;
+    const FluidFields& fields = fluid_->fields;
     const bool mixed = !fields.groups[0].fraction.empty();
-    for_cells(grid, [&](int i, int j, int k) {
-        const Index solid = block_.solids[block_.cell(i, j, k)], row = results.row_of_solid(solid);
-        if (row == none) return;
-        const std::ptrdiff_t place = grid.at(i, j, k);
+    for (std::size_t cell = 0; cell < fluid_->cell_count(); ++cell) {
+        const Index solid = block_.solids[cell], row = results.row_of_solid(solid);
+        if (row == none) continue;
+        const FluidCell own = fluid_->cell(cell);
+        const std::ptrdiff_t place = own.place;
         if (!results.solid_stress.empty()) {
             ElementResults::Stress stress{};
             const bool filled = fields.total_mass()[place] > 0;
@@ -185,8 +254,8 @@ void EulerianFluid::collect_cells(ElementResults& results) const
             results.solid_stress[row] = stress;
         }
         if (!results.solid_density.empty())
-            results.solid_density[row] = fields.total_mass()[place] / grid.volume(i, j, k);
-        if (results.solid_fraction.empty()) return;
+            results.solid_density[row] = fields.total_mass()[place] / own.volume;
+        if (results.solid_fraction.empty()) continue;
         double filled = 0;
         const std::size_t count = groups_.groups.size();
         for (std::size_t g = 0; g < count; ++g) {
@@ -199,67 +268,45 @@ void EulerianFluid::collect_cells(ElementResults& results) const
         const int empty = groups_.vacuum();
         if (empty != none && empty < static_cast<int>(results.solid_fraction.size()))
             results.solid_fraction[empty][row] = std::max(1 - filled, 0.0);
-    });
+    }
 }
 
 void EulerianFluid::collect_nodes(ElementResults& results) const
 {
-    for_nodes(fluid_.grid, [&](int i, int j, int k) {
-        const std::ptrdiff_t place = fluid_.grid.at(i, j, k);
-        const auto& v = fluid_.fields.velocity;
-        results.material_velocity[block_.nodes[block_.node(i, j, k)]] = {v[0][place], v[1][place],
-                                                                         v[2][place]};
-    });
+    const auto& v = fluid_->fields.velocity;
+    for (std::size_t number = 0; number < block_.nodes.size(); ++number) {
+        const std::ptrdiff_t place = fluid_->node_place(number);
+        results.material_velocity[block_.nodes[number]] = {v[0][place], v[1][place], v[2][place]};
+    }
 }
 
 /// Mass, momentum and kinetic energy of the groups: a node has an eighth of each of its cells.
 void EulerianFluid::collect_parts(ElementResults& results) const
 {
-    const BoxGrid& grid = fluid_.grid;
-    const auto& v = fluid_.fields.velocity;
+    const auto& v = fluid_->fields.velocity;
     for (const DeckGroup& group : groups_.groups) {
         if (group.fluid == none) continue;
         ElementResults::PartMotion& sum = results.part_motion[part_of_group(group)];
         sum.outside_state = true;
-        for_cells(grid, [&](int i, int j, int k) {
-            const std::ptrdiff_t place = grid.at(i, j, k);
-            const double mass = fluid_.fields.groups[group.fluid].mass[place];
-            if (mass == 0) return;
+        for (std::size_t number = 0; number < fluid_->cell_count(); ++number) {
+            const FluidCell cell = fluid_->cell(number);
+            const double mass = fluid_->fields.groups[group.fluid].mass[cell.place];
+            if (mass == 0) continue;
             sum.mass += mass;
-            for (int corner = 0; corner < 8; ++corner) {
-                const std::ptrdiff_t node =
-                    grid.at(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
+            for (const std::ptrdiff_t node : cell.corners) {
                 for (int axis = 0; axis < 3; ++axis) {
                     sum.momentum[axis] += 0.125 * mass * v[axis][node];
                     sum.kinetic += 0.0625 * mass * v[axis][node] * v[axis][node];
                 }
             }
-        });
+        }
     }
 }
-
-namespace {
-
-/// Ambient cells (ELFORM 7, AET) would need a state from outside.
-void reject_ambient_parts(const Model& model)
-{
-    for (std::size_t index = 0; index < model.parts.size(); ++index) {
-        if (!is_eulerian(model, static_cast<Index>(index))) continue;
-        const Record& section = model.sections[model.parts[index].section];
-        if (section.integer("ELFORM") != 7 && section.integer("AET") == 0) continue;
-        throw DeckError(section.where,
-                        fmt::format("*{} {}: ambient cells (ELFORM = 7, or AET) are not supported yet",
-                                    section.keyword, section.id));
-    }
-}
-
-} // namespace
 
 std::vector<std::unique_ptr<EulerianFluid>> make_eulerian_fluids(const Model& model)
 {
     std::vector<std::unique_ptr<EulerianFluid>> fluids;
     if (!has_eulerian_mesh(model)) return fluids;
-    reject_ambient_parts(model);
     const DeckGroups groups = deck_groups_of(model);
     const FluidSettings settings = fluid_settings_of(model);
     for (MeshBlock& block : find_mesh_blocks(model))

@@ -18,18 +18,21 @@ class EulerianFluid : public Term {
 public:
     EulerianFluid(const Model& model, MeshBlock block, DeckGroups groups, const FluidSettings& settings);
 
-    bool restartable() const override { return false; }
     std::string_view name() const override { return "Eulerian fluid"; }
-    std::size_t items() const override { return fluid_.grid.cell_count(); }
+    std::size_t items() const override { return fluid_->cell_count(); }
     /// In the first cycle takes over the initial velocities of the State's nodes.
     void add_forces(const Clock& clock, State& state) override;
     void after_motion(const Clock& clock, State& state) override;
     StepVote stable_step() const override;
     void report(EnergyLedger& ledger) const override;
+    void serialise(Archive& archive) override;
+    std::vector<std::string> notices(const State& state) const override;
     void collect(const State& state, ElementResults& results) const override;
 
-    const BoxFluid& fluid() const { return fluid_; }
-    BoxFluid& fluid() { return fluid_; }
+    const Fluid& fluid() const { return *fluid_; }
+    Fluid& fluid() { return *fluid_; }
+    /// The fluid of a mesh that is a box.
+    BoxFluid& box() { return dynamic_cast<BoxFluid&>(*fluid_); }
     const MeshBlock& block() const { return block_; }
     const DeckGroups& groups() const { return groups_; }
 
@@ -37,12 +40,16 @@ private:
     const Model& model_;
     MeshBlock block_;
     DeckGroups groups_;
-    BoxFluid fluid_;
+    std::unique_ptr<Fluid> fluid_;
     MeshBoundary boundary_;
     MeshMotion motion_;
+    std::vector<std::size_t> loaded_nodes_; ///< of the mesh, on which loads of the deck act
     bool started_ = false;
 
     void start(State& state);
+    void find_ambient_cells();
+    void find_loaded_nodes();
+    void take_loads(const State& state);
     void move_mesh(const Clock& clock, State& state);
     std::array<double, 3> gravity(double time) const;
     Index part_of_group(const DeckGroup& group) const;

@@ -204,11 +204,17 @@ double density_at_pressure(const FluidGroup& fluid, double pressure, double ener
     return density;
 }
 
-void set_hydrostatic_state(BoxFluid& fluid, const MeshBlock& block, const DeckGroups& groups,
-                           const Model& model)
+void set_hydrostatic_state(Fluid& any, const MeshBlock& block, const DeckGroups& groups, const Model& model)
 {
     for (const Record& record : model.others) {
         if (record.keyword != "INITIAL_HYDROSTATIC_ALE" || !applies(model, record, block)) continue;
+        auto* box = dynamic_cast<BoxFluid*>(&any);
+        if (!box)
+            throw DeckError(record.where,
+                            fmt::format("*{} needs a mesh whose cells stand between planes along "
+                                        "the global axes; {}",
+                                        record.keyword, block.why_no_box));
+        BoxFluid& fluid = *box;
         const Still still = still_of(model, record, groups);
         const BoxGrid& grid = fluid.grid;
         const Profile profile = profile_of(grid, still, groups);

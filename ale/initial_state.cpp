@@ -154,31 +154,74 @@ std::vector<Geometry> geometries_of(const Model& model, const DeckGroups& groups
     return result;
 }
 
+/// A piece of a cell, as a box along the global axes that reaches as far as the piece.
+struct Piece {
+    Vec3 centre, half; ///< [length]
+    double volume;     ///< up to a factor
+};
+
+Vec3 magnitudes(const Vec3& v)
+{
+    return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
+
+/// Piece (i, j, k) of `cuts` along each axis of a cell.
+Piece piece_of(const FluidCell& cell, bool is_box, int cuts, const std::array<int, 3>& number)
+{
+    if (is_box) {
+        const Vec3 &low = cell.points[0], &high = cell.points[7];
+        const Vec3 centre{0.5 * (low.x + high.x), 0.5 * (low.y + high.y), 0.5 * (low.z + high.z)};
+        const Vec3 half{0.5 * (high.x - low.x), 0.5 * (high.y - low.y), 0.5 * (high.z - low.z)};
+        const Vec3 part = (1.0 / cuts) * half;
+        return {{centre.x - half.x + (2 * number[0] + 1) * part.x,
+                 centre.y - half.y + (2 * number[1] + 1) * part.y,
+                 centre.z - half.z + (2 * number[2] + 1) * part.z},
+                part,
+                1};
+    }
+    Vec3 centre{}, slope[3]{};
+    for (int corner = 0; corner < 8; ++corner) {
+        double factor[3], sign[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const double at = (number[axis] + 0.5) / cuts;
+            const bool upper = corner >> axis & 1;
+            factor[axis] = upper ? at : 1 - at;
+            sign[axis] = upper ? 1 : -1;
+        }
+        centre += (factor[0] * factor[1] * factor[2]) * cell.points[corner];
+        slope[0] += (sign[0] * factor[1] * factor[2]) * cell.points[corner];
+        slope[1] += (factor[0] * sign[1] * factor[2]) * cell.points[corner];
+        slope[2] += (factor[0] * factor[1] * sign[2]) * cell.points[corner];
+    }
+    const Vec3 reach = magnitudes(slope[0]) + magnitudes(slope[1]) + magnitudes(slope[2]);
+    return {centre, (0.5 / cuts) * reach, std::abs(dot(slope[0], cross(slope[1], slope[2])))};
+}
+
 /// Containers fill a cell one after the other. Cells that a surface passes are cut into `cuts` per axis, each
 /// piece by the plane that the surface is there: the error falls with the square of the piece.
-void fill_by_containers(Filling& filling, const Geometry& geometry, const Vec3& centre, const Vec3& half)
+void fill_by_containers(Filling& filling, const Geometry& geometry, const FluidCell& cell, bool is_box)
 {
     constexpr int cuts = 8;
-    const double reach = norm(half);
+    const Piece whole = piece_of(cell, is_box, 1, {0, 0, 0});
+    const double reach = norm(whole.half);
     bool cut = false;
     for (const Container& container : geometry.containers)
-        cut = cut || std::abs(container.depth(centre)) < reach;
+        cut = cut || std::abs(container.depth(whole.centre)) < reach;
     const int pieces = cut ? cuts : 1;
-    const Vec3 part = (1.0 / pieces) * half;
-    const double weight = 1.0 / (pieces * pieces * pieces);
+    double weights = is_box ? pieces * pieces * pieces : 0;
     std::vector<double> sum(filling.share.size());
     Vec3 velocity{};
     for (int k = 0; k < pieces; ++k) {
         for (int j = 0; j < pieces; ++j) {
             for (int i = 0; i < pieces; ++i) {
-                const Vec3 at{centre.x - half.x + (2 * i + 1) * part.x,
-                              centre.y - half.y + (2 * j + 1) * part.y,
-                              centre.z - half.z + (2 * k + 1) * part.z};
+                const Piece piece = piece_of(cell, is_box, pieces, {i, j, k});
+                if (!is_box) weights += piece.volume;
+                const double weight = is_box ? 1 / weights : piece.volume;
                 std::vector<double> share(sum.size(), 0.0);
                 share[geometry.background] = 1;
                 Vec3 own{};
                 for (const Container& container : geometry.containers) {
-                    const double inside = share_inside(container, at, part);
+                    const double inside = share_inside(container, piece.centre, piece.half);
                     if (inside == 0) continue;
                     for (double& other : share) other *= 1 - inside;
                     share[container.group] += inside;
@@ -188,6 +231,10 @@ void fill_by_containers(Filling& filling, const Geometry& geometry, const Vec3& 
                 velocity += weight * own;
             }
         }
+    }
+    if (!is_box) {
+        for (double& share : sum) share /= weights;
+        velocity *= 1 / weights;
     }
     for (double& share : sum) {
         if (share < 1e-12) share = 0;
@@ -239,53 +286,45 @@ std::vector<bool> void_parts_of(const Model& model)
 
 } // namespace
 
-void fill_initial_state(BoxFluid& fluid, const MeshBlock& block, const DeckGroups& groups, const Model& model)
+void fill_initial_state(Fluid& fluid, const MeshBlock& block, const DeckGroups& groups, const Model& model)
 {
     const std::vector<Geometry> geometries = geometries_of(model, groups);
     const ElementShares by_element = element_shares_of(model, groups);
     const std::vector<bool> empty = void_parts_of(model);
-    const BoxGrid& grid = fluid.grid;
-    std::vector<double> weight;
+    const std::size_t nodes = fluid.fields.node_mass.size();
+    std::vector<double> weight(nodes, 0.0);
     std::array<std::vector<double>, 3> momentum;
-    for (auto& component : momentum) component.assign(grid.storage(), 0.0);
-    weight.assign(grid.storage(), 0.0);
+    for (auto& component : momentum) component.assign(nodes, 0.0);
     bool moves = false;
     Filling filling;
-    for (int k = 0; k < grid.cells(2); ++k) {
-        for (int j = 0; j < grid.cells(1); ++j) {
-            for (int i = 0; i < grid.cells(0); ++i) {
-                const Index solid = block.solids[block.cell(i, j, k)];
-                const Index part = model.solids.part[solid];
-                filling.share.assign(groups.groups.size(), 0.0);
-                filling.velocity = {};
-                // A structured mesh belongs to no group: its cells start full of the first one.
-                const int own = std::max(groups.group_of_part(part), 0);
-                if (!empty[part]) filling.share[own] = 1;
-                const Vec3 centre{grid.centre(0, i), grid.centre(1, j), grid.centre(2, k)};
-                const Vec3 half{0.5 * grid.width(0, i), 0.5 * grid.width(1, j), 0.5 * grid.width(2, k)};
-                for (const Geometry& geometry : geometries)
-                    if (geometry.parts[part]) fill_by_containers(filling, geometry, centre, half);
-                if (const auto found = by_element.find(model.solids.id[solid]); found != by_element.end())
-                    filling.share = found->second;
-                double mass = 0;
-                for (std::size_t g = 0; g < groups.groups.size(); ++g) {
-                    const DeckGroup& group = groups.groups[g];
-                    if (group.fluid == none || filling.share[g] == 0) continue;
-                    fluid.fill_cell(i, j, k, group.fluid, filling.share[g], group.density,
-                                    group.energy_per_mass);
-                    mass += filling.share[g] * group.density * grid.volume(i, j, k);
-                }
-                if (mass == 0) continue;
-                moves = moves || norm(filling.velocity) > 0;
-                for (int corner = 0; corner < 8; ++corner) {
-                    const std::ptrdiff_t node =
-                        grid.at(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
-                    weight[node] += mass;
-                    momentum[0][node] += mass * filling.velocity.x;
-                    momentum[1][node] += mass * filling.velocity.y;
-                    momentum[2][node] += mass * filling.velocity.z;
-                }
-            }
+    for (std::size_t number = 0; number < fluid.cell_count(); ++number) {
+        const Index solid = block.solids[number];
+        const Index part = model.solids.part[solid];
+        filling.share.assign(groups.groups.size(), 0.0);
+        filling.velocity = {};
+        // A structured mesh belongs to no group: its cells start full of the first one.
+        const int own = std::max(groups.group_of_part(part), 0);
+        if (!empty[part]) filling.share[own] = 1;
+        const FluidCell cell = fluid.cell(number);
+        for (const Geometry& geometry : geometries)
+            if (geometry.parts[part]) fill_by_containers(filling, geometry, cell, block.is_box());
+        if (const auto found = by_element.find(model.solids.id[solid]); found != by_element.end())
+            filling.share = found->second;
+        double mass = 0;
+        for (std::size_t g = 0; g < groups.groups.size(); ++g) {
+            const DeckGroup& group = groups.groups[g];
+            if (group.fluid == none || filling.share[g] == 0) continue;
+            fluid.fill_place(cell.place, cell.volume, group.fluid, filling.share[g], group.density,
+                             group.energy_per_mass);
+            mass += filling.share[g] * group.density * cell.volume;
+        }
+        if (mass == 0) continue;
+        moves = moves || norm(filling.velocity) > 0;
+        for (const std::ptrdiff_t node : cell.corners) {
+            weight[node] += mass;
+            momentum[0][node] += mass * filling.velocity.x;
+            momentum[1][node] += mass * filling.velocity.y;
+            momentum[2][node] += mass * filling.velocity.z;
         }
     }
     if (!moves) return;

@@ -1,6 +1,7 @@
 #include "ale/lagrange.h"
 
 #include "ale/cell_motion.h"
+#include "ale/cell_state.h"
 #include "ale/sheets.h"
 
 namespace plash {
@@ -70,7 +71,7 @@ NodeForce pressure_force(const CellRowsAroundNodes& rows, const double* pressure
 }
 
 /// Adds what the viscous stress of the cells does. A face sums stress times its area vector.
-void add_viscous_force(NodeForce& force, const CellRowsAroundNodes& rows, const BoxFields& fields,
+void add_viscous_force(NodeForce& force, const CellRowsAroundNodes& rows, const FluidFields& fields,
                        std::ptrdiff_t place, Lanes width_before, Lanes width_after)
 {
     // Components in the order xx yy zz xy yz zx; row r lies at (j - 1 or j, k - 1 or k).
@@ -100,7 +101,7 @@ double sum_of_lanes(Lanes value)
     return sum;
 }
 
-double accelerate_row(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, double step,
+double accelerate_row(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents, double step,
                       const std::array<double, 3>& gravity, int j, int k)
 {
     const CellRowsAroundNodes rows(grid, j, k);
@@ -141,7 +142,7 @@ Lanes lower_flux(const double* mean_velocity, std::ptrdiff_t a, std::ptrdiff_t b
 }
 
 /// Work of the viscous stress on the motion of a batch of cells; it ends as heat [energy].
-Lanes viscous_work(const BoxGrid& grid, const BoxFields& fields, std::ptrdiff_t place, Lanes width, int j,
+Lanes viscous_work(const BoxGrid& grid, const FluidFields& fields, std::ptrdiff_t place, Lanes width, int j,
                    int k, double step)
 {
     const Lanes inverse[3] = {0.25 / width, broadcast<Lanes>(0.25 / grid.width(1, j)),
@@ -161,44 +162,7 @@ Lanes viscous_work(const BoxGrid& grid, const BoxFields& fields, std::ptrdiff_t 
     return power * width * (grid.width(1, j) * grid.width(2, k) * step);
 }
 
-/// Energy and fractions of a batch of cells whose volume grows by `growth` under `pressure`.
-void deform_batch(BoxFields& fields, std::ptrdiff_t place, BoxContents::Mask mask, Lanes volume, Lanes growth,
-                  Lanes work)
-{
-    if (BoxContents::pure(mask)) {
-        double* energy = &fields.groups[BoxContents::only_group(mask)].energy[place];
-        store(energy, load<Lanes>(energy) - work);
-        return;
-    }
-    // Groups take the work in proportion to their shares of the change of volume; where none takes part
-    // (enclosed void gives way alone) there is only viscous heat, and it goes by mass.
-    Lanes shares{}, mass{};
-    for (const GroupFields& group : fields.groups) {
-        shares += load<Lanes>(&group.share[place]);
-        mass += load<Lanes>(&group.mass[place]);
-    }
-    const auto shared = shares > 0.0;
-    const Lanes weights = shared ? shares : mass;
-    const Lanes per_weight = weights > 0.0 ? work / weights : Lanes{};
-    const Lanes relative = growth / volume;
-    const Lanes shrink = 1.0 / (1.0 + relative);
-    Lanes filled{};
-    for (GroupFields& group : fields.groups) {
-        const Lanes share = load<Lanes>(&group.share[place]);
-        const Lanes weight = shared ? share : load<Lanes>(&group.mass[place]);
-        store(&group.energy[place], load<Lanes>(&group.energy[place]) - weight * per_weight);
-        const Lanes fraction = (load<Lanes>(&group.fraction[place]) + share * relative) * shrink;
-        store(&group.fraction[place], max(fraction, Lanes{}));
-        filled += fraction;
-    }
-    // Void that closes within the step leaves its cell full, and the rest of the squeeze to the fluid.
-    const Lanes excess = filled > 1.0 ? 1.0 / filled : broadcast<Lanes>(1);
-    for (GroupFields& group : fields.groups) {
-        store(&group.fraction[place], load<Lanes>(&group.fraction[place]) * excess);
-    }
-}
-
-void deform_row(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, double step,
+void deform_row(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents, double step,
                 const std::array<double, 3>& mesh, int j, int k)
 {
     const std::ptrdiff_t sy = grid.stride(1), sz = grid.stride(2);
@@ -233,13 +197,15 @@ void deform_row(const BoxGrid& grid, BoxFields& fields, const BoxContents& conte
         Lanes work = pressure * growth;
         if (!fields.viscous[0].empty()) work -= viscous_work(grid, fields, place, width, j, k, step);
         const BoxContents::Mask mask = contents.of_cells(place);
-        if (!BoxContents::nothing(mask)) deform_batch(fields, place, mask, volume, growth, work);
+        if (BoxContents::nothing(mask)) continue;
+        const int only = BoxContents::pure(mask) ? BoxContents::only_group(mask) : -1;
+        deform_cells(fields, place, only, volume, growth, work);
     }
 }
 
 } // namespace
 
-double accelerate(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, double step,
+double accelerate(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents, double step,
                   const std::array<double, 3>& gravity)
 {
     return sum_sheets<double>(grid, grid.cells(2) + 1, [&](int k) {
@@ -251,7 +217,7 @@ double accelerate(const BoxGrid& grid, BoxFields& fields, const BoxContents& con
     });
 }
 
-void deform(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, double step,
+void deform(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents, double step,
             const std::array<double, 3>& mesh)
 {
     for_sheets(grid, grid.cells(2) + 1, [&](int k) {
@@ -259,7 +225,7 @@ void deform(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents,
     });
 }
 
-double kinetic_energy(const BoxGrid& grid, const BoxFields& fields, const BoxContents& contents)
+double kinetic_energy(const BoxGrid& grid, const FluidFields& fields, const BoxContents& contents)
 {
     return sum_sheets<double>(grid, grid.cells(2) + 1, [&](int k) {
         Lanes sum{};
@@ -277,7 +243,7 @@ double kinetic_energy(const BoxGrid& grid, const BoxFields& fields, const BoxCon
     });
 }
 
-void find_node_masses(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents)
+void find_node_masses(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents)
 {
     for_sheets(grid, grid.cells(2) + 1, [&](int k) {
         for (int j = 0; j <= grid.cells(1); ++j) {
@@ -291,7 +257,7 @@ void find_node_masses(const BoxGrid& grid, BoxFields& fields, const BoxContents&
     });
 }
 
-double internal_energy(const BoxGrid& grid, const BoxFields& fields, const BoxContents& contents, int group)
+double internal_energy(const BoxGrid& grid, const FluidFields& fields, const BoxContents& contents, int group)
 {
     const double* energy = fields.groups[group].energy.data();
     return sum_sheets<double>(grid, grid.cells(2), [&](int k) {

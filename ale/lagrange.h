@@ -28,25 +28,25 @@ struct CrossingRate {
 
 /// Pressures at t_n and their rates, from mass, energy and fraction of the groups and from the present
 /// velocities. Brings the groups of mixed cells to one pressure, and opens void where a liquid would be torn.
-CrossingRate evaluate_state(const BoxGrid&, BoxFields&, BoxContents&, std::span<const FluidGroup>,
+CrossingRate evaluate_state(const BoxGrid&, FluidFields&, BoxContents&, std::span<const FluidGroup>,
                             const LagrangeSettings&, double last_step);
 
 /// New nodal velocities after `step` under pressure, viscous stress and `gravity`; also nodal masses and mean
 /// velocities. Forces from outside and fixed nodes follow in a second stroke (ale/box_boundary.h).
 /// Returns the work of gravity.
-double accelerate(const BoxGrid&, BoxFields&, const BoxContents&, double step,
+double accelerate(const BoxGrid&, FluidFields&, const BoxContents&, double step,
                   const std::array<double, 3>& gravity);
 
 /// Volumes that pass the faces with the mean velocity, and what that does to internal energies and fractions.
 /// mesh  velocity of the box itself: what passes a face is seen from there
-void deform(const BoxGrid&, BoxFields&, const BoxContents&, double step,
+void deform(const BoxGrid&, FluidFields&, const BoxContents&, double step,
             const std::array<double, 3>& mesh = {});
 
 /// Kinetic energy of the nodes with the masses of `node_mass`.
-double kinetic_energy(const BoxGrid&, const BoxFields&, const BoxContents&);
+double kinetic_energy(const BoxGrid&, const FluidFields&, const BoxContents&);
 /// Nodal masses from the masses of the cells.
-void find_node_masses(const BoxGrid&, BoxFields&, const BoxContents&);
+void find_node_masses(const BoxGrid&, FluidFields&, const BoxContents&);
 /// Internal energy of a group.
-double internal_energy(const BoxGrid&, const BoxFields&, const BoxContents&, int group);
+double internal_energy(const BoxGrid&, const FluidFields&, const BoxContents&, int group);
 
 } // namespace plash

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <numeric>
+#include <unordered_map>
 
 namespace plash {
 
@@ -48,17 +49,19 @@ int plane_of(const std::vector<double>& planes, double value)
     return planes[upper] - value < value - planes[upper - 1] ? upper : upper - 1;
 }
 
-[[noreturn]] void reject(const Model& model, Index solid, const std::string& why)
+/// Says why a mesh is no box.
+struct NoBox {
+    std::string why;
+};
+
+[[noreturn]] void no_box(const Model& model, Index solid, const std::string& why)
 {
     const Part& part = model.parts[model.solids.part[solid]];
-    throw DeckError(part.where,
-                    fmt::format("*ELEMENT_SOLID {} of the Eulerian part {} '{}': {}; Eulerian meshes of "
-                                "general hexahedra are not supported yet, cells must stand between planes "
-                                "along the global axes",
-                                model.solids.id[solid], part.id, part.title, why));
+    throw NoBox{
+        fmt::format("element {} of part {} '{}': {}", model.solids.id[solid], part.id, part.title, why)};
 }
 
-MeshBlock block_of(const Model& model, const std::vector<Index>& solids)
+MeshBlock box_of(const Model& model, const std::vector<Index>& solids)
 {
     MeshBlock block;
     for (int axis = 0; axis < 3; ++axis) {
@@ -68,11 +71,11 @@ MeshBlock block_of(const Model& model, const std::vector<Index>& solids)
             for (Index node : model.solids.nodes[solid])
                 values.push_back(model.nodes.position[node].*vector_component[axis]);
         block.planes[axis] = distinct(std::move(values));
-        if (block.cells(axis) < 1) reject(model, solids.front(), "the mesh is flat");
+        if (block.cells(axis) < 1) no_box(model, solids.front(), "the mesh is flat");
     }
     const std::size_t wanted = std::size_t(block.cells(0)) * block.cells(1) * block.cells(2);
     if (solids.size() != wanted) {
-        reject(model, solids.front(),
+        no_box(model, solids.front(),
                fmt::format("its mesh has {} cells between {} x {} x {} planes, not {}", solids.size(),
                            block.planes[0].size(), block.planes[1].size(), block.planes[2].size(), wanted));
     }
@@ -93,30 +96,62 @@ MeshBlock block_of(const Model& model, const std::vector<Index>& solids)
             unsigned place = 0;
             for (int axis = 0; axis < 3; ++axis) {
                 const int offset = corner[n][axis] - low[axis];
-                if (offset > 1) reject(model, solid, "it reaches across a plane of its neighbours");
+                if (offset > 1) no_box(model, solid, "it reaches across a plane of its neighbours");
                 place |= unsigned(offset) << axis;
             }
             seen |= 1u << place;
             const Index node = model.solids.nodes[solid][n];
             Index& known = block.nodes[block.node(corner[n][0], corner[n][1], corner[n][2])];
             if (known != none && known != node)
-                reject(model, solid,
+                no_box(model, solid,
                        fmt::format("nodes {} and {} lie at one place", model.nodes.id[known],
                                    model.nodes.id[node]));
             known = node;
         }
-        if (seen != 0xff) reject(model, solid, "its corners are not those of a box");
+        if (seen != 0xff) no_box(model, solid, "its corners are not those of a box");
         Index& cell = block.solids[block.cell(low[0], low[1], low[2])];
         if (cell != none)
-            reject(model, solid, fmt::format("element {} is at the same place", model.solids.id[cell]));
+            no_box(model, solid, fmt::format("element {} is at the same place", model.solids.id[cell]));
         cell = solid;
     }
     return block;
 }
 
+/// The same elements as they are, nodes in the order in which the elements name them first.
+MeshBlock hexahedra_of(const Model& model, const std::vector<Index>& solids, std::string why_no_box)
+{
+    MeshBlock block;
+    block.solids = solids;
+    block.why_no_box = std::move(why_no_box);
+    std::unordered_map<Index, Index> position;
+    for (Index solid : solids) {
+        // The manual numbers corners around the lower face, then around the upper one.
+        static constexpr int around[8] = {0, 1, 3, 2, 4, 5, 7, 6};
+        std::array<Index, 8> corners;
+        for (int n = 0; n < 8; ++n) {
+            const Index node = model.solids.nodes[solid][n];
+            const auto [found, added] = position.try_emplace(node, static_cast<Index>(block.nodes.size()));
+            if (added) block.nodes.push_back(node);
+            corners[around[n]] = found->second;
+        }
+        block.corners.push_back(corners);
+    }
+    return block;
+}
+
+MeshBlock block_of(const Model& model, const std::vector<Index>& solids, bool boxes_as_hexahedra)
+{
+    if (boxes_as_hexahedra) return hexahedra_of(model, solids, "a test wants it so");
+    try {
+        return box_of(model, solids);
+    } catch (const NoBox& reason) {
+        return hexahedra_of(model, solids, reason.why);
+    }
+}
+
 } // namespace
 
-std::vector<MeshBlock> find_mesh_blocks(const Model& model)
+std::vector<MeshBlock> find_mesh_blocks(const Model& model, bool boxes_as_hexahedra)
 {
     std::vector<bool> eulerian(model.parts.size());
     for (std::size_t part = 0; part < eulerian.size(); ++part)
@@ -137,7 +172,7 @@ std::vector<MeshBlock> find_mesh_blocks(const Model& model)
         members[found->second].push_back(static_cast<Index>(solid));
     }
     std::vector<MeshBlock> blocks;
-    for (const auto& solids : members) blocks.push_back(block_of(model, solids));
+    for (const auto& solids : members) blocks.push_back(block_of(model, solids, boxes_as_hexahedra));
     return blocks;
 }
 

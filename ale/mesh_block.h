@@ -5,14 +5,19 @@
 
 namespace plash {
 
-/// A connected Eulerian mesh of a deck whose cells stand between three families of planes along the global
-/// axes, in whatever order the deck numbers them. Cell and node (i, j, k) count from the lowest corner, i
-/// fastest.
+/// A connected Eulerian mesh of a deck, in whatever order the deck numbers it. Where its cells stand between
+/// three families of planes along the global axes, it is a box: cell and node (i, j, k) count from the lowest
+/// corner, i fastest. Else it is made of general hexahedra.
 struct MeshBlock {
-    std::array<std::vector<double>, 3> planes; ///< ascending [length]
-    std::vector<Index> nodes;                  ///< of the Model, (nx + 1)(ny + 1)(nz + 1)
-    std::vector<Index> solids;                 ///< elements of the Model, nx ny nz
+    std::array<std::vector<double>, 3> planes; ///< of a box, ascending [length]
+    std::vector<Index> nodes;                  ///< of the Model; of a box (nx + 1)(ny + 1)(nz + 1)
+    std::vector<Index> solids;                 ///< elements of the Model; of a box nx ny nz
+    /// Of general hexahedra: corners of each cell as positions in `nodes`; bits 0, 1, 2 of a corner's number
+    /// say on which side along the cell's three axes it lies.
+    std::vector<std::array<Index, 8>> corners;
+    std::string why_no_box; ///< of general hexahedra, for a notice
 
+    bool is_box() const { return corners.empty(); }
     int cells(int axis) const { return static_cast<int>(planes[axis].size()) - 1; }
     std::size_t cell(int i, int j, int k) const
     {
@@ -24,8 +29,8 @@ struct MeshBlock {
     }
 };
 
-/// The Eulerian meshes of a Model, one entry for each that is connected through nodes. DeckError where a mesh
-/// is not such a block.
-std::vector<MeshBlock> find_mesh_blocks(const Model& model);
+/// The Eulerian meshes of a Model, one entry for each that is connected through nodes. With
+/// `boxes_as_hexahedra` none is taken as a box (for tests).
+std::vector<MeshBlock> find_mesh_blocks(const Model& model, bool boxes_as_hexahedra = false);
 
 } // namespace plash

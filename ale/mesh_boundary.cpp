@@ -13,22 +13,6 @@ namespace {
 
 constexpr unsigned all_axes = 7;
 
-/// Calls visit(i, j, k, axis) for every node of every outer face across an axis.
-template <class Visit>
-void for_outer_nodes(const BoxGrid& grid, Visit&& visit)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-        int index[3];
-        for (int side = 0; side < 2; ++side) {
-            index[axis] = side * grid.cells(axis);
-            for (index[b] = 0; index[b] <= grid.cells(b); ++index[b])
-                for (index[a] = 0; index[a] <= grid.cells(a); ++index[a])
-                    visit(index[0], index[1], index[2], axis);
-        }
-    }
-}
-
 int axis_of(const Vec3& direction)
 {
     const double parts[3] = {direction.x, direction.y, direction.z};
@@ -39,16 +23,14 @@ int axis_of(const Vec3& direction)
 
 } // namespace
 
-MeshBoundary mesh_boundary_of(const BoxGrid& grid, const MeshBlock& block, const FluidSettings& settings,
+MeshBoundary mesh_boundary_of(const Fluid& fluid, const MeshBlock& block, const FluidSettings& settings,
                               const Model& model)
 {
     MeshBoundary boundary;
-    std::unordered_map<Index, std::ptrdiff_t> place; // of the block's nodes
+    std::unordered_map<Index, std::ptrdiff_t> place; // of the mesh's nodes
     place.reserve(block.nodes.size());
-    for (int k = 0; k <= grid.cells(2); ++k)
-        for (int j = 0; j <= grid.cells(1); ++j)
-            for (int i = 0; i <= grid.cells(0); ++i)
-                place.emplace(block.nodes[block.node(i, j, k)], grid.at(i, j, k));
+    for (std::size_t number = 0; number < block.nodes.size(); ++number)
+        place.emplace(block.nodes[number], fluid.node_place(number));
 
     std::unordered_map<std::ptrdiff_t, std::size_t> known;
     const auto hold = [&](std::ptrdiff_t node, unsigned axes) {
@@ -59,10 +41,18 @@ MeshBoundary mesh_boundary_of(const BoxGrid& grid, const MeshBlock& block, const
     };
     using Boundary = FluidSettings::Boundary;
     if (settings.boundary != Boundary::open) {
-        for_outer_nodes(grid, [&](int i, int j, int k, int axis) {
-            if (!settings.exempt.empty() && settings.exempt[block.nodes[block.node(i, j, k)]]) return;
-            hold(grid.at(i, j, k), settings.boundary == Boundary::stick ? all_axes : 1u << axis);
-        });
+        for (const OuterNode& node : fluid.outer_nodes()) {
+            if (!settings.exempt.empty() && settings.exempt[block.nodes[node.number]]) continue;
+            const bool stick = settings.boundary == Boundary::stick;
+            if (!stick && node.axis < 0)
+                throw DeckError({},
+                                fmt::format("*CONTROL_ALE, field EBC = 2 (slip): the outer face at node {} "
+                                            "of the Eulerian mesh is not across a global axis; there, "
+                                            "nodes can stick (1), be free (0) or be held by "
+                                            "*BOUNDARY_SPC",
+                                            model.nodes.id[block.nodes[node.number]]));
+            hold(fluid.node_place(node.number), stick ? all_axes : 1u << node.axis);
+        }
     }
     for (const FixedNodes& fixed : model.fixed_nodes) {
         if ((fixed.freedoms & all_axes) == 0) continue;
@@ -91,7 +81,8 @@ MeshBoundary mesh_boundary_of(const BoxGrid& grid, const MeshBlock& block, const
         }
     }
     std::unordered_map<std::ptrdiff_t, unsigned> outer; // axes across whose outer faces a node lies
-    for_outer_nodes(grid, [&](int i, int j, int k, int axis) { outer[grid.at(i, j, k)] |= 1u << axis; });
+    for (const OuterNode& node : fluid.outer_nodes())
+        outer[fluid.node_place(node.number)] |= node.axis < 0 ? all_axes : 1u << node.axis;
     for (const auto& [node, axes] : outer) {
         const auto found = known.find(node);
         const unsigned held = found == known.end() ? 0 : boundary.held[found->second].axes;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ale/box_boundary.h"
+#include "ale/fluid.h"
 #include "ale/fluid_settings.h"
 #include "ale/mesh_block.h"
 
@@ -24,7 +24,7 @@ struct MeshBoundary {
     void follow(const Model& model, double time, double step);
 };
 
-MeshBoundary mesh_boundary_of(const BoxGrid& grid, const MeshBlock& block, const FluidSettings& settings,
+MeshBoundary mesh_boundary_of(const Fluid& fluid, const MeshBlock& block, const FluidSettings& settings,
                               const Model& model);
 
 } // namespace plash

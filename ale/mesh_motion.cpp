@@ -44,7 +44,7 @@ bool moves(const Model& model, const Record& group, const MeshBlock& block)
 
 } // namespace
 
-std::array<double, 3> MeshMotion::velocity(const Model& model, const BoxFluid& fluid, double time) const
+std::array<double, 3> MeshMotion::velocity(const Model& model, const Fluid& fluid, double time) const
 {
     std::array<double, 3> result{};
     if (kind == Kind::none) return result;

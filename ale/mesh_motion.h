@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ale/box_fluid.h"
+#include "ale/fluid.h"
 #include "ale/mesh_block.h"
 
 namespace plash {
@@ -18,7 +18,7 @@ struct MeshMotion {
     unsigned held = 0;                             ///< BCTRAN: axes along which it stays, bits 1, 2, 4
 
     /// Velocity of the mesh [velocity].
-    std::array<double, 3> velocity(const Model& model, const BoxFluid& fluid, double time) const;
+    std::array<double, 3> velocity(const Model& model, const Fluid& fluid, double time) const;
 };
 
 /// DeckError for what is not there.

@@ -29,20 +29,21 @@ private:
 
 /// Moves mass, internal energy and fractions of all groups along one axis, and notes the mass that passes
 /// each face for the momentum.
-void sweep_cells(const BoxGrid&, BoxFields&, const BoxContents&, RemapScratch&, int axis, AdvectionOrder);
+void sweep_cells(const BoxGrid&, FluidFields&, const BoxContents&, RemapScratch&, int axis, AdvectionOrder);
 
 /// Moves the momentum along one axis with the masses that sweep_cells has noted: Benson's half-index shift
 /// (1992), J. Comput. Phys. 100, 143-162, in the form it takes on a box, where the fluxes of all shifted
 /// cells with one pair of velocities add up to one flux between two nodes. Nodal masses and momenta stay
 /// consistent, and momentum is conserved to round-off.
-void sweep_momentum(const BoxGrid&, BoxFields&, const BoxContents&, RemapScratch&, int axis, AdvectionOrder);
+void sweep_momentum(const BoxGrid&, FluidFields&, const BoxContents&, RemapScratch&, int axis,
+                    AdvectionOrder);
 
 /// Gives the kinetic energy that nodes have lost in the sweeps to the internal energies of the cells around
 /// them, by mass: the remap then conserves total energy (DeBar 1974; METH = 3 of *CONTROL_ALE). Only with
 /// fields.lost_motion. Returns the sum.
-double return_lost_motion(const BoxGrid&, BoxFields&, const BoxContents&);
+double return_lost_motion(const BoxGrid&, FluidFields&, const BoxContents&);
 
 /// Shares of the groups in what leaves cells that hold an interface, by Youngs' planes (ale/interface.cpp).
-void find_outflow_shares(const BoxGrid&, BoxFields&, const BoxContents&, int axis);
+void find_outflow_shares(const BoxGrid&, FluidFields&, const BoxContents&, int axis);
 
 } // namespace plash

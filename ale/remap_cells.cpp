@@ -20,7 +20,7 @@ enum FluxValue { volume_flux, mass_flux, energy_flux, flux_values };
 template <bool second_order>
 class CellSweep {
 public:
-    CellSweep(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, RemapScratch& scratch,
+    CellSweep(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents, RemapScratch& scratch,
               int axis)
         : grid_(grid),
           fields_(fields),
@@ -98,7 +98,7 @@ private:
     };
 
     const BoxGrid& grid_;
-    BoxFields& fields_;
+    FluidFields& fields_;
     const BoxContents& contents_;
     RemapScratch& scratch_;
     int axis_, groups_;
@@ -222,41 +222,16 @@ private:
             upward ? load<Lanes>(&own.fraction[place - stride]) : load<Lanes>(&own.fraction[place]);
         const Lanes cut = upward ? load<Lanes>(&own.share_of_outflow[1][place - stride])
                                  : load<Lanes>(&own.share_of_outflow[0][place]);
-        const auto interface = (fraction > 0.0) & (fraction < 1.0);
-        const Lanes share = interface ? cut : fraction;
-
-        const Line<Lanes> volumes = line(rows, group, volume), masses = line(rows, group, mass);
-        const Lanes available = upward ? volumes.below : volumes.above;
-        const Lanes donor_mass = upward ? masses.below : masses.above;
-        const Lanes wanted = abs(flux) * share;
-        // What would leave next to nothing behind takes all.
-        const auto everything = wanted > available * (1 - 1e-10);
-        const Lanes out = everything ? available : wanted;
-        const Lanes sign = upward ? broadcast<Lanes>(1) : broadcast<Lanes>(-1);
-        const Lanes part = available > 0.0 ? out / available : Lanes{};
-
-        const Lanes carried = carried_value<second_order>(
-            known(line(rows, group, density), masses, upward, interface), upward, part, weights);
-        const Lanes of_mass = everything ? donor_mass : min(out * carried, donor_mass);
-        const Line<Lanes> reciprocal = line(rows, group, inverse_mass);
-        const Lanes mass_part = of_mass * (upward ? reciprocal.below : reciprocal.above);
-        const Lanes energies = carried_value<second_order>(
-            known(line(rows, group, energy), masses, upward, interface), upward, mass_part, weights);
-        const Lanes signed_mass = sign * of_mass;
-        store_flux(slot, group, i, sign * out, signed_mass, signed_mass * energies);
-        return signed_mass;
-    }
-
-    /// A line in which cells without the group repeat the donor's value, and donors that hold an interface
-    /// are taken as uniform.
-    Line<Lanes> known(const Line<Lanes>& values, const Line<Lanes>& masses, LaneMask upward, LaneMask uniform)
-    {
-        const Lanes donor = upward ? values.below : values.above;
-        const auto pick = [&](Lanes value, Lanes own_mass) {
-            return ((own_mass > 0.0) & ~uniform) ? value : donor;
-        };
-        return {pick(values.far_below, masses.far_below), pick(values.below, masses.below),
-                pick(values.above, masses.above), pick(values.far_above, masses.far_above)};
+        const Line<Lanes> volumes = line(rows, group, volume);
+        const GroupLine<Lanes> lines{line(rows, group, density),
+                                     line(rows, group, energy),
+                                     line(rows, group, mass),
+                                     line(rows, group, inverse_mass),
+                                     volumes.below,
+                                     volumes.above};
+        const GroupFlux<Lanes> passing = partial_flux<second_order>(lines, flux, fraction, cut, weights);
+        store_flux(slot, group, i, passing.volume, passing.mass, passing.energy);
+        return passing.mass;
     }
 
     void update_batch(std::ptrdiff_t place, FluxPlace low, FluxPlace high)
@@ -301,7 +276,7 @@ private:
 };
 
 template <bool second_order>
-void sweep(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, RemapScratch& scratch,
+void sweep(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents, RemapScratch& scratch,
            int axis)
 {
     CellSweep<second_order> cells(grid, fields, contents, scratch, axis);
@@ -338,7 +313,7 @@ int RemapScratch::thread()
     return omp_get_thread_num();
 }
 
-void sweep_cells(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, RemapScratch& scratch,
+void sweep_cells(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents, RemapScratch& scratch,
                  int axis, AdvectionOrder order)
 {
     if (order == AdvectionOrder::van_leer)

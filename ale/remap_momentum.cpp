@@ -12,8 +12,8 @@ namespace {
 template <bool second_order>
 class MomentumSweep {
 public:
-    MomentumSweep(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents, RemapScratch& scratch,
-                  int axis)
+    MomentumSweep(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents,
+                  RemapScratch& scratch, int axis)
         : grid_(grid),
           fields_(fields),
           contents_(contents),
@@ -100,7 +100,7 @@ private:
     enum EdgeValue { velocity_x, velocity_y, velocity_z, mass_flux, edge_values };
 
     const BoxGrid& grid_;
-    BoxFields& fields_;
+    FluidFields& fields_;
     const BoxContents& contents_;
     RemapScratch& scratch_;
     int axis_;
@@ -193,8 +193,8 @@ private:
 };
 
 template <bool second_order>
-void sweep_momentum(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents,
-                    RemapScratch& scratch, int axis)
+void sweep_momentum(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents, RemapScratch& scratch,
+           int axis)
 {
     MomentumSweep<second_order> nodes(grid, fields, contents, scratch, axis);
     if (axis == 0) {
@@ -217,7 +217,7 @@ void sweep_momentum(const BoxGrid& grid, BoxFields& fields, const BoxContents& c
 
 } // namespace
 
-void sweep_momentum(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents,
+void sweep_momentum(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents,
                     RemapScratch& scratch, int axis, AdvectionOrder order)
 {
     if (order == AdvectionOrder::van_leer)
@@ -226,7 +226,7 @@ void sweep_momentum(const BoxGrid& grid, BoxFields& fields, const BoxContents& c
         sweep_momentum<false>(grid, fields, contents, scratch, axis);
 }
 
-double return_lost_motion(const BoxGrid& grid, BoxFields& fields, const BoxContents& contents)
+double return_lost_motion(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents)
 {
     const std::ptrdiff_t sy = grid.stride(1), sz = grid.stride(2);
     const double returned = sum_sheets<double>(grid, grid.cells(2) + 1, [&](int k) {

@@ -28,4 +28,12 @@ inline Lane mean_of_outflow(Lane value, Lane difference, Lane part)
     return value + 0.5 * (1.0 - part) * difference;
 }
 
+/// Weight of the difference over distance `near` in the central difference across a zone of width `zone`,
+/// when the other neighbour is `far` away: the parabola through three points.
+inline double parabola_weight(double zone, double near, double far)
+{
+    const double weight = zone * far / (near * (near + far));
+    return abs(weight - 0.5) < 1e-12 ? 0.5 : weight;
+}
+
 } // namespace plash

@@ -1,6 +1,5 @@
 #include "ale/cell_motion.h"
-#include "ale/lagrange.h"
-#include "ale/mixture.h"
+#include "ale/cell_state.h"
 #include "ale/sheets.h"
 
 #include <algorithm>
@@ -13,7 +12,7 @@ namespace {
 /// One row of cells and what the loop over its batches needs.
 struct Row {
     const BoxGrid& grid;
-    BoxFields& fields;
+    FluidFields& fields;
     std::span<const FluidGroup> groups;
     const LagrangeSettings& settings;
     int j, k;
@@ -34,27 +33,8 @@ struct LaneRates {
     }
 };
 
-/// Pressure and stiffness of the cell as a whole.
-struct CellState {
-    Lanes pressure, stiffness, signal_square, density;
-};
-
-CellState pure_state(const Row& row, std::ptrdiff_t place, int group, Lanes volume)
-{
-    const GroupFields& own = row.fields.groups[group];
-    const Lanes mass = load<Lanes>(&own.mass[place]);
-    const auto has = mass > 0.0;
-    const Lanes inverse = 1.0 / (has ? mass : broadcast<Lanes>(1));
-    const FluidGroup& fluid = row.groups[group];
-    const Lanes density = has ? mass / volume : broadcast<Lanes>(fluid.reference_density);
-    const Lanes energy = load<Lanes>(&own.energy[place]) * inverse;
-    const auto state = fluid_state(fluid, density, energy);
-    return {has ? state.pressure : Lanes{}, has ? state.stiffness : Lanes{}, state.stiffness / density,
-            has ? density : Lanes{}};
-}
-
 /// Sum of the fractions of all groups at a storage place.
-Lanes filled_at(const BoxFields& fields, std::ptrdiff_t place)
+Lanes filled_at(const FluidFields& fields, std::ptrdiff_t place)
 {
     Lanes sum{};
     for (const GroupFields& group : fields.groups) sum += load<Lanes>(&group.fraction[place]);
@@ -82,67 +62,18 @@ void find_openness(const Row& row, const BoxContents& contents)
     }
 }
 
-CellState mixed_state(const Row& row, std::ptrdiff_t place, Lanes volume, Lanes open, Lanes closing)
-{
-    BoxFields& fields = row.fields;
-    const std::size_t count = fields.groups.size();
-    Mixture<Lanes> mix;
-    Lanes mass{};
-    for (std::size_t g = 0; g < count; ++g) {
-        mix.fraction[g] = load<Lanes>(&fields.groups[g].fraction[place]);
-        mix.mass[g] = load<Lanes>(&fields.groups[g].mass[place]);
-        mix.energy[g] = load<Lanes>(&fields.groups[g].energy[place]);
-        mass += mix.mass[g];
-    }
-    close_mixture(mix, row.groups, volume, row.settings.void_allowed, open, closing);
-    for (std::size_t g = 0; g < count; ++g) {
-        store(&fields.groups[g].fraction[place], mix.fraction[g]);
-        store(&fields.groups[g].energy[place], mix.energy[g]);
-        store(&fields.groups[g].share[place], mix.share[g]);
-    }
-    return {mix.pressure, mix.stiffness, mix.signal_square, mass / volume};
-}
-
 /// Full cells whose pressure has fallen below what the liquid bears.
-bool any_torn(const Row& row, int group, const CellState& state)
+bool any_torn(const Row& row, int group, const CellState<Lanes>& state)
 {
     return row.settings.void_allowed &&
            any((state.pressure < row.groups[group].tension_limit) & (state.density > 0.0));
-}
-
-/// Viscous stress 2 mu (rate of strain - a third of its trace) of a Newtonian fluid, from the velocity
-/// gradient in the middle of the cell.
-void store_viscous_stress(const Row& row, std::ptrdiff_t place, const Lanes (&gradient)[3][3])
-{
-    BoxFields& fields = row.fields;
-    Lanes viscosity{};
-    for (std::size_t g = 0; g < fields.groups.size(); ++g) {
-        const GroupFields& own = fields.groups[g];
-        const Lanes fraction = own.fraction.empty() ? broadcast<Lanes>(1) : load<Lanes>(&own.fraction[place]);
-        // Ghosts at the end of a row have no mass.
-        viscosity += load<Lanes>(&own.mass[place]) > 0.0 ? row.groups[g].viscosity * fraction : Lanes{};
-    }
-    const Lanes third = (gradient[0][0] + gradient[1][1] + gradient[2][2]) * (1.0 / 3);
-    for (int axis = 0; axis < 3; ++axis) {
-        const int next = (axis + 1) % 3;
-        store(&fields.viscous[axis][place], 2.0 * viscosity * (gradient[axis][axis] - third));
-        store(&fields.viscous[3 + axis][place], viscosity * (gradient[axis][next] + gradient[next][axis]));
-    }
-}
-
-double largest_kinematic_viscosity(std::span<const FluidGroup> groups)
-{
-    double largest = 0;
-    for (const FluidGroup& group : groups)
-        largest = std::max(largest, group.viscosity / group.reference_density);
-    return largest;
 }
 
 template <bool Viscous>
 LaneRates evaluate_row(const Row& row, const BoxContents& contents, double last_step, bool& torn)
 {
     const BoxGrid& grid = row.grid;
-    BoxFields& fields = row.fields;
+    FluidFields& fields = row.fields;
     const LagrangeSettings& settings = row.settings;
     const std::ptrdiff_t sy = grid.stride(1), sz = grid.stride(2);
     const double width_yz = row.width_y() * row.width_z();
@@ -167,36 +98,29 @@ LaneRates evaluate_row(const Row& row, const BoxContents& contents, double last_
 
         const Lanes closing = max(-divergence, Lanes{}) * last_step;
         const BoxContents::Mask mask = contents.of_cells(place);
-        CellState state;
+        CellState<Lanes> state;
         if (BoxContents::pure(mask)) {
             const int group = BoxContents::only_group(mask);
-            state = pure_state(row, place, group, volume);
+            state = pure_state(fields, row.groups, place, group, volume);
             if (any_torn(row, group, state)) {
-                state = mixed_state(row, place, volume, Lanes{}, closing); // void opens inside the liquid
+                state = mixed_state(fields, row.groups, settings.void_allowed, place, volume, Lanes{},
+                                    closing); // void opens inside the liquid
                 torn = true;
             }
         } else {
-            state = mixed_state(row, place, volume, load<Lanes>(&fields.groups[0].share[place]), closing);
+            state = mixed_state(fields, row.groups, settings.void_allowed, place, volume,
+                                load<Lanes>(&fields.groups[0].share[place]), closing);
         }
 
-        // Velocity jump across the cell in the direction in which it is compressed.
-        const Lanes zero{};
-        const Lanes squeeze_x = max(-rate_x, zero), squeeze_y = max(-rate_y, zero),
-                    squeeze_z = max(-rate_z, zero);
-        const Lanes squeeze = squeeze_x + squeeze_y + squeeze_z;
-        const Lanes length = (squeeze_x * width + squeeze_y * row.width_y() + squeeze_z * row.width_z()) /
-                             max(squeeze, broadcast<Lanes>(1e-300));
-        const Lanes jump = max(-divergence, zero) * length;
-        const Lanes sound = sqrt(state.signal_square);
-        const Lanes viscous_speed = settings.quadratic_viscosity * jump + settings.linear_viscosity * sound;
-        const auto resists = (state.stiffness > 0.0) & (jump > 0.0);
-        const Lanes bulk_viscosity = resists ? state.density * jump * viscous_speed : zero;
-        store(&fields.pressure[place], state.pressure + bulk_viscosity);
-        store(&fields.pressure_rate[place], -state.stiffness * divergence);
+        const CellStrain<Lanes> strain{
+            {rate_x, rate_y, rate_z},
+            {width, broadcast<Lanes>(row.width_y()), broadcast<Lanes>(row.width_z())},
+            divergence};
+        const CellPressure<Lanes> pressure = cell_pressure(state, strain, settings);
+        store(&fields.pressure[place], pressure.pressure);
+        store(&fields.pressure_rate[place], pressure.rate);
 
-        // LS-DYNA's step for solids (Hallquist 2006, section 'Time step calculations') and the flow itself.
-        const Lanes q = resists ? viscous_speed : zero;
-        const Lanes signal = q + sqrt(q * q + state.signal_square);
+        // Signals and the flow itself cross the cell.
         const Lanes shortest = min(width, broadcast<Lanes>(smallest_yz));
         const auto fastest = [&](const FaceMeans<Lanes>& sums, int axis) {
             const double mesh = 4 * settings.mesh_velocity[axis]; // faces sum four nodes
@@ -204,7 +128,7 @@ LaneRates evaluate_row(const Row& row, const BoxContents& contents, double last_
         };
         const Lanes crossing =
             max(max(fastest(x, 0) * inverse_x, fastest(y, 1) * inverse_y), fastest(z, 2) * inverse_z);
-        Lanes rate = signal / shortest + crossing;
+        Lanes rate = pressure.signal / shortest + crossing;
         if (Viscous) {
             const Lanes diffusion =
                 16.0 * (inverse_x * inverse_x + inverse_y * inverse_y + inverse_z * inverse_z);
@@ -216,18 +140,18 @@ LaneRates evaluate_row(const Row& row, const BoxContents& contents, double last_
                 {rate_x, (xy.high - xy.low) * inverse_y, (xz.high - xz.low) * inverse_z},
                 {(yx.high - yx.low) * inverse_x, rate_y, (yz.high - yz.low) * inverse_z},
                 {(zx.high - zx.low) * inverse_x, (zy.high - zy.low) * inverse_y, rate_z}};
-            store_viscous_stress(row, place, gradient);
+            store_viscous_stress(fields, row.groups, place, gradient);
         }
         Lanes where;
         for (int lane = 0; lane < lane_count; ++lane) where[lane] = static_cast<double>(place + lane);
-        rates.take(state.density > 0.0 ? rate : zero, where);
+        rates.take(state.density > 0.0 ? rate : Lanes{}, where);
     }
     return rates;
 }
 
 } // namespace
 
-CrossingRate evaluate_state(const BoxGrid& grid, BoxFields& fields, BoxContents& contents,
+CrossingRate evaluate_state(const BoxGrid& grid, FluidFields& fields, BoxContents& contents,
                             std::span<const FluidGroup> groups, const LagrangeSettings& settings,
                             double last_step)
 {

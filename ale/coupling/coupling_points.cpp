@@ -25,15 +25,19 @@ int points_along(double length, int least, double spacing)
 
 } // namespace
 
-CouplingPoints::CouplingPoints(Surface surface, int per_edge, double spacing,
+CouplingPoints::CouplingPoints(Surface surface, int per_edge,
+                               const std::function<double(const Vec3&, const Vec3&)>& spacing,
                                const std::vector<Vec3>& position)
     : surface_(std::move(surface))
 {
     for (std::size_t segment = 0; segment < surface_.segments.size(); ++segment) {
         const auto& nodes = surface_.segments[segment].nodes;
-        const auto edge = [&](int a, int b) { return norm(position[nodes[b]] - position[nodes[a]]); };
-        const int along_s = points_along(std::max(edge(0, 1), edge(2, 3)), per_edge, spacing);
-        const int along_t = points_along(std::max(edge(1, 2), edge(3, 0)), per_edge, spacing);
+        const auto points_on = [&](int a, int b) {
+            const Vec3 &from = position[nodes[a]], &to = position[nodes[b]];
+            return points_along(norm(to - from), per_edge, spacing(from, to));
+        };
+        const int along_s = std::max(points_on(0, 1), points_on(2, 3));
+        const int along_t = std::max(points_on(1, 2), points_on(3, 0));
         const double share = 1.0 / (along_s * along_t);
         for (int j = 0; j < along_t; ++j)
             for (int i = 0; i < along_s; ++i)

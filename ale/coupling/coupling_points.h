@@ -4,6 +4,7 @@
 #include "core/state.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace plash {
@@ -26,8 +27,10 @@ public:
     };
 
     /// per_edge   least number of points along an edge of a segment
-    /// spacing    largest distance of the points [length]
-    CouplingPoints(Surface surface, int per_edge, double spacing, const std::vector<Vec3>& position);
+    /// spacing    largest distance of the points along an edge between two places [length]
+    CouplingPoints(Surface surface, int per_edge,
+                   const std::function<double(const Vec3&, const Vec3&)>& spacing,
+                   const std::vector<Vec3>& position);
 
     std::size_t size() const { return places_.size(); }
     const Place& place(std::size_t point) const { return places_[point]; }

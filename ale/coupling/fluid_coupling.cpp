@@ -20,9 +20,11 @@ double reference_stiffness(const DeckGroup& group)
     return fluid_state(group.law, group.density, group.energy_per_mass).stiffness;
 }
 
-double smallest_cell(const BoxGrid& grid)
+/// How far one can go along a direction through a cell, of a box its width there [length].
+double length_along(const std::array<Vec3, 3>& edges, const Vec3& direction)
 {
-    return std::min({grid.smallest_width(0), grid.smallest_width(1), grid.smallest_width(2)});
+    return std::abs(dot(direction, edges[0])) + std::abs(dot(direction, edges[1])) +
+           std::abs(dot(direction, edges[2]));
 }
 
 } // namespace
@@ -32,17 +34,18 @@ FluidCoupling::FluidCoupling(const Model& model, CouplingOptions options, Surfac
     : model_(model),
       options_(std::move(options)),
       // Two points a cell: the cells between them may not find a way through.
-      points_(std::move(surface), options_.points_per_edge, 0.5 * smallest_cell(fluid.fluid().grid),
-              position),
+      points_(
+          std::move(surface), options_.points_per_edge,
+          [&](const Vec3& a, const Vec3& b) { return fluid.fluid().point_spacing(a, b); }, position),
       fluid_(fluid),
       touches_(points_.size()),
       penetration_(points_.size()),
       slip_(points_.size()),
       force_(points_.size()),
       cell_(points_.size()),
-      load_(fluid.fluid().grid.storage()),
+      load_(fluid.fluid().fields.node_mass.size()),
       structure_load_(position.size()),
-      entry_(fluid.fluid().grid.storage(), none)
+      entry_(fluid.fluid().fields.node_mass.size(), none)
 {
     for (const DeckGroup& group : fluid.groups().groups)
         if (group.fluid != none) bulk_modulus_.push_back(reference_stiffness(group));
@@ -50,17 +53,16 @@ FluidCoupling::FluidCoupling(const Model& model, CouplingOptions options, Surfac
 
 /// Share of the coupled fluids half a cell before the surface: a surface that stands anywhere in its cell,
 /// with fluid up to it, sees the same.
-double FluidCoupling::fraction_before(const Vec3& position, const Touch& touch) const
+double FluidCoupling::fraction_before(const Vec3& position, const Touch& touch,
+                                      const std::array<int, 3>& cell) const
 {
-    const BoxFluid& fluid = fluid_.fluid();
-    const BoxGrid& grid = fluid.grid;
-    const GridPoint own = locate(grid, position, {});
-    const double reach = 0.5 * (std::abs(touch.normal.x) * grid.width(0, own.cell[0]) +
-                                std::abs(touch.normal.y) * grid.width(1, own.cell[1]) +
-                                std::abs(touch.normal.z) * grid.width(2, own.cell[2]));
-    const GridPoint before = locate(grid, position + reach * touch.normal, own.cell);
+    const Fluid& fluid = fluid_.fluid();
+    const MeshPoint own = fluid.locate(position, cell);
+    if (!own.inside) return 0;
+    const double reach = 0.5 * length_along(fluid.edges(own), touch.normal);
+    const MeshPoint before = fluid.locate(position + reach * touch.normal, own.cell);
     if (!before.inside) return 0;
-    const NodeWeights around = cell_weights(grid, before);
+    const PlaceWeights around = fluid.cell_weights(before);
     double sum = 0;
     for (std::size_t g = 0; g < fluid.groups.size(); ++g) {
         if (!(options_.fluids >> g & 1)) continue;
@@ -72,18 +74,20 @@ double FluidCoupling::fraction_before(const Vec3& position, const Touch& touch) 
 }
 
 /// How much more of a partly empty cell is full than lies on the fluid's side of the surface through a point.
-double FluidCoupling::share_behind(const GridPoint& at, const Vec3& normal) const
+double FluidCoupling::share_behind(const MeshPoint& at, const Vec3& normal) const
 {
-    const BoxFluid& fluid = fluid_.fluid();
-    const std::ptrdiff_t cell = fluid.grid.at(at.cell[0], at.cell[1], at.cell[2]);
+    const Fluid& fluid = fluid_.fluid();
+    const std::ptrdiff_t cell = fluid.place_of(at);
     double filled = 0;
     for (const GroupFields& group : fluid.fields.groups)
         filled += group.fraction.empty() ? 1 : group.fraction[cell];
     if (filled >= 1) return 0;
-    const double along[3] = {normal.x, normal.y, normal.z};
-    double slope[3], sum = 0, distance = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        sum += slope[axis] = std::abs(along[axis]) * fluid.grid.width(axis, at.cell[axis]);
+    const std::array<Vec3, 3> edges = fluid.edges(at);
+    double along[3], slope[3], sum = 0, distance = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        along[axis] = dot(normal, edges[axis]);
+        sum += slope[axis] = std::abs(along[axis]);
+    }
     for (int axis = 0; axis < 3; ++axis) {
         slope[axis] /= sum;
         distance += slope[axis] * (along[axis] > 0 ? at.part[axis] : 1 - at.part[axis]);
@@ -101,13 +105,13 @@ void FluidCoupling::look(std::size_t point, const Clock& clock, const State& sta
     touch.area = norm(motion.area);
     if (!(touch.area > 0)) return;
     touch.normal = ((options_.turned ? -1 : 1) / touch.area) * motion.area;
-    const BoxFluid& fluid = fluid_.fluid();
-    const GridPoint at = locate(fluid.grid, motion.position, cell_[point]);
+    const Fluid& fluid = fluid_.fluid();
+    const MeshPoint at = fluid.locate(motion.position, cell_[point]);
     if (!at.inside) return;
     cell_[point] = at.cell;
-    if (fraction_before(motion.position, touch) < options_.least_fraction) return;
+    if (fraction_before(motion.position, touch, at.cell) < options_.least_fraction) return;
 
-    touch.at = node_weights(fluid.grid, at);
+    touch.at = fluid.node_weights(at);
     double filled = 0, density = 0;
     Vec3 velocity{};
     for (int corner = 0; corner < 8; ++corner) {
@@ -128,15 +132,13 @@ void FluidCoupling::look(std::size_t point, const Clock& clock, const State& sta
     for (std::size_t g = 0; g < fluid.groups.size(); ++g) {
         if (!(options_.fluids >> g & 1) || bulk_modulus_[g] < stiffness) continue;
         const AlignedDoubles& fraction = fluid.fields.groups[g].fraction;
-        const std::ptrdiff_t cell = fluid.grid.at(at.cell[0], at.cell[1], at.cell[2]);
+        const std::ptrdiff_t cell = fluid.place_of(at);
         const bool only = fluid.groups.size() == 1 || fraction.empty() || fraction[cell] > 0;
         if (!only) continue;
         stiffness = bulk_modulus_[g];
         density = fluid.groups[g].reference_density;
     }
-    const double length = std::abs(touch.normal.x) * fluid.grid.width(0, at.cell[0]) +
-                          std::abs(touch.normal.y) * fluid.grid.width(1, at.cell[1]) +
-                          std::abs(touch.normal.z) * fluid.grid.width(2, at.cell[2]);
+    const double length = length_along(fluid.edges(at), touch.normal);
     const double penalty = options_.stiffest ? 1 : options_.penalty;
     const double damping = options_.stiffest ? 1 : options_.damping;
     touch.stiffness = penalty * stiffness * touch.area / length;

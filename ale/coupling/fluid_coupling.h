@@ -2,7 +2,6 @@
 
 #include "ale/coupling/coupling_options.h"
 #include "ale/coupling/coupling_points.h"
-#include "ale/coupling/grid_point.h"
 #include "core/term.h"
 
 #include <memory>
@@ -21,11 +20,14 @@ public:
     FluidCoupling(const Model& model, CouplingOptions options, Surface surface, EulerianFluid& fluid,
                   const std::vector<Vec3>& position);
 
-    bool restartable() const override { return false; }
     std::string_view name() const override { return "fluid coupling"; }
     std::size_t items() const override { return points_.size(); }
     void add_forces(const Clock& clock, State& state) override;
     void report(EnergyLedger& ledger) const override;
+    void serialise(Archive& archive) override
+    {
+        archive(penetration_, slip_, force_, cell_, work_on_structure_);
+    }
     void collect(const State& state, ElementResults& results) const override;
 
     /// Force on the structure at t_n [force].
@@ -34,7 +36,7 @@ public:
 private:
     /// What is known of a point in this cycle.
     struct Touch {
-        NodeWeights at;       ///< nodes of the fluid; weights without empty nodes
+        PlaceWeights at;      ///< nodes of the fluid; weights without empty nodes
         Vec3 normal;          ///< unit, into the fluid
         double area = 0;      ///< [length^2]
         double stiffness = 0; ///< spring of the point [force/length]
@@ -63,8 +65,8 @@ private:
     double work_on_structure_ = 0;
 
     void look(std::size_t point, const Clock& clock, const State& state);
-    double fraction_before(const Vec3& position, const Touch& touch) const;
-    double share_behind(const GridPoint& at, const Vec3& normal) const;
+    double fraction_before(const Vec3& position, const Touch& touch, const std::array<int, 3>& cell) const;
+    double share_behind(const MeshPoint& at, const Vec3& normal) const;
     void limit_stiffness(const State& state);
     double needed_mass(const Touch& touch) const;
     void press(std::size_t point, const Clock& clock);

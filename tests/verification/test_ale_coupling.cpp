@@ -72,7 +72,7 @@ double leak(int elements_per_edge, const std::string& coupling, double end)
                     testing::liquid_in_box({low, low, low_z}, {low + side, low + side, low_z + 0.08}) +
                     rigid_part(7800, 7, 7, coupling) + open_box(low, low_z, side, elements_per_edge) +
                     testing::gravity(9.81) + testing::closed(end));
-    const BoxFluid& fluid = run.term<EulerianFluid>().fluid();
+    const BoxFluid& fluid = run.term<EulerianFluid>().box();
     const double before = testing::liquid_volume(fluid);
     EXPECT_NEAR(before, side * side * 0.08, 1e-12 * before);
     run.run();

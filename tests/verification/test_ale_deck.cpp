@@ -68,7 +68,7 @@ TEST(AleDeck, ShuffledHexahedraRunAsTheStructuredMeshThatTheyAre)
     EulerianRun shuffled(dam(shuffled_mesh({0.48, 0.04, 0.32}, {24, 2, 16}), 0.02));
     structured.run();
     shuffled.run();
-    const BoxFluid &a = structured.term<EulerianFluid>().fluid(), &b = shuffled.term<EulerianFluid>().fluid();
+    const BoxFluid &a = structured.term<EulerianFluid>().box(), &b = shuffled.term<EulerianFluid>().box();
     // The decks' coordinates agree to their printed digits only; a surface between cells carries that on.
     EXPECT_NEAR(a.energies().kinetic, b.energies().kinetic, 1e-6 * a.energies().kinetic);
     ASSERT_EQ(a.fields.groups[0].fraction.size(), b.fields.groups[0].fraction.size());
@@ -82,7 +82,7 @@ TEST(AleDeck, ShuffledHexahedraRunAsTheStructuredMeshThatTheyAre)
 TEST(AleDeck, DamBreaksInBalance)
 {
     EulerianRun dam_break(dam(testing::structured_mesh({0, 0, 0}, {0.48, 0.04, 0.32}, {24, 2, 16}), 0.15));
-    const BoxFluid& fluid = dam_break.term<EulerianFluid>().fluid();
+    const BoxFluid& fluid = dam_break.term<EulerianFluid>().box();
     const double mass = fluid.total_mass(0);
     EXPECT_NEAR(mass, 1000 * 0.16 * 0.04 * 0.24, 1e-12);
     dam_break.run();
@@ -103,7 +103,7 @@ TEST(AleDeck, ContainersFillTheirVolumes)
     const auto filled = [&](const std::string& containers) {
         EulerianRun run(mesh + testing::liquid_and_void(1000, 100) +
                         "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n" + containers + testing::closed(0));
-        return testing::liquid_volume(run.term<EulerianFluid>().fluid());
+        return testing::liquid_volume(run.term<EulerianFluid>().box());
     };
     const double ball = 4 * std::numbers::pi / 3 * 0.027;
     EXPECT_NEAR(filled("6,0,1\n0.51,0.47,0.49,0.3\n"), ball, 1e-3 * ball);
@@ -125,7 +125,7 @@ TEST(AleDeck, ControlPointsGradeTheMesh)
         text += fmt::format("*ALE_STRUCTURED_MESH_CONTROL_POINTS\n{}\n1,0\n2,1\n", axis);
     EulerianRun run(text + testing::liquid_and_void(1000, 100) +
                     testing::liquid_in_box({0, 0, 0}, {1, 1, 1}) + testing::closed(0));
-    const std::vector<double>& x = run.term<EulerianFluid>().fluid().grid.planes(0);
+    const std::vector<double>& x = run.term<EulerianFluid>().box().grid.planes(0);
     ASSERT_EQ(x.size(), 9u);
     EXPECT_NEAR((x[2] - x[1]) / (x[1] - x[0]), 1.5, 1e-12);
     EXPECT_NEAR((x[3] - x[2]) / (x[2] - x[1]), 1.5, 1e-12);
@@ -145,7 +145,7 @@ TEST(AleDeck, DrivenNodesMoveTheFluidAndNotTheMesh)
                     "*MAT_NULL\n1,1,-1e9,0.01\n*EOS_LINEAR_POLYNOMIAL\n1,0,100\n\n" +
                     lid + testing::closed(0.2));
     run.run();
-    const BoxFluid& fluid = run.term<EulerianFluid>().fluid();
+    const BoxFluid& fluid = run.term<EulerianFluid>().box();
     EXPECT_DOUBLE_EQ(fluid.fields.velocity[0][fluid.grid.at(4, 0, 8)], 1);
     EXPECT_GT(fluid.fields.velocity[0][fluid.grid.at(4, 0, 7)], 0.05);
     EXPECT_LT(fluid.fields.velocity[0][fluid.grid.at(4, 0, 7)], 0.9);
@@ -165,7 +165,7 @@ TEST(AleDeck, DISABLED_MeshFollowsTheMass)
                     "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n6,0,1,50,20,-10\n0.5,0.5,0.5,0.3\n"
                     "*ALE_REFERENCE_SYSTEM_GROUP\n10,1,4,0,3,7\n"
                     "*CONTROL_ALE\n-1,1,2,-1\n*CONTROL_TERMINATION\n0.02\n*CONTROL_TIMESTEP\n0,0.5\n*END\n");
-    const BoxFluid& fluid = run.term<EulerianFluid>().fluid();
+    const BoxFluid& fluid = run.term<EulerianFluid>().box();
     const double mass = fluid.total_mass(0);
     run.run();
     EXPECT_NEAR(fluid.total_mass(0), mass, 1e-12 * mass);
@@ -212,7 +212,7 @@ TEST(AleDeck, HydrostaticStartIsAtRest)
                         "*INITIAL_HYDROSTATIC_ALE\n10,1,5,9.81\n90000,1\n",
                         level) +
             testing::gravity(9.81) + testing::closed(0.05));
-        BoxFluid& fluid = run.term<EulerianFluid>().fluid();
+        BoxFluid& fluid = run.term<EulerianFluid>().box();
         const auto fastest = [&] {
             double largest = 0;
             for (const auto& component : fluid.fields.velocity)

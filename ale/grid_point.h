@@ -1,6 +1,7 @@
 #pragma once
 
-#include "ale/box_fields.h"
+#include "ale/box_grid.h"
+#include "ale/mesh_point.h"
 #include "math/vector3.h"
 
 #include <algorithm>
@@ -8,13 +9,6 @@
 #include <vector>
 
 namespace plash {
-
-/// Where a point lies in a box of cells, and how it weighs the nodes or the centres around it.
-struct GridPoint {
-    std::array<int, 3> cell{};    ///< that holds it
-    std::array<double, 3> part{}; ///< place in the cell, 0 to 1
-    bool inside = false;          ///< of the box
-};
 
 /// Number of the interval that holds `value`; looks first where the last point was.
 inline int interval_of(const std::vector<double>& planes, double value, int guess)
@@ -26,9 +20,9 @@ inline int interval_of(const std::vector<double>& planes, double value, int gues
     return std::clamp(static_cast<int>(above - planes.begin()) - 1, 0, last);
 }
 
-inline GridPoint locate(const BoxGrid& grid, const Vec3& point, const std::array<int, 3>& guess)
+inline MeshPoint locate(const BoxGrid& grid, const Vec3& point, const std::array<int, 3>& guess)
 {
-    GridPoint found;
+    MeshPoint found;
     found.inside = true;
     const double x[3] = {point.x, point.y, point.z};
     for (int axis = 0; axis < 3; ++axis) {
@@ -42,14 +36,9 @@ inline GridPoint locate(const BoxGrid& grid, const Vec3& point, const std::array
 }
 
 /// The eight nodes of the cell and the trilinear weights of the point.
-struct NodeWeights {
-    std::array<std::ptrdiff_t, 8> place{};
-    std::array<double, 8> weight{};
-};
-
-inline NodeWeights node_weights(const BoxGrid& grid, const GridPoint& point)
+inline PlaceWeights node_weights(const BoxGrid& grid, const MeshPoint& point)
 {
-    NodeWeights result;
+    PlaceWeights result;
     for (int corner = 0; corner < 8; ++corner) {
         const int offset[3] = {corner & 1, corner >> 1 & 1, corner >> 2};
         double weight = 1;
@@ -63,7 +52,7 @@ inline NodeWeights node_weights(const BoxGrid& grid, const GridPoint& point)
 
 /// The eight cells whose centres surround the point, with trilinear weights; at the box's sides the outermost
 /// cell stands for what lies beyond.
-inline NodeWeights cell_weights(const BoxGrid& grid, const GridPoint& point)
+inline PlaceWeights cell_weights(const BoxGrid& grid, const MeshPoint& point)
 {
     int low[3];
     double part[3];
@@ -75,7 +64,7 @@ inline NodeWeights cell_weights(const BoxGrid& grid, const GridPoint& point)
         low[axis] = std::min(cell, other);
         part[axis] = other < cell ? 1 - reach : reach;
     }
-    NodeWeights result;
+    PlaceWeights result;
     for (int corner = 0; corner < 8; ++corner) {
         double weight = 1;
         int index[3];

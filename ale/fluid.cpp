@@ -1,0 +1,124 @@
+#include "ale/fluid.h"
+
+namespace plash {
+
+void FluidEnergies::serialise(Archive& archive)
+{
+    archive(kinetic, internal, outside_work, coupling_work, advection_loss, outflow, group_internal);
+}
+
+Fluid::Fluid(std::vector<FluidGroup> all_groups, LagrangeSettings settings, FluidFields all_fields)
+    : groups(std::move(all_groups)), lagrange(settings), fields(std::move(all_fields))
+{}
+
+void Fluid::fill_place(std::ptrdiff_t place, double volume, int group, double fraction, double density,
+                       double energy_per_mass)
+{
+    const double mass = fraction * volume * density;
+    fields.groups[group].mass[place] = mass;
+    fields.groups[group].energy[place] = mass * energy_per_mass;
+    if (!fields.groups[group].fraction.empty()) fields.groups[group].fraction[place] = fraction;
+    if (groups.size() == 1) return;
+    fields.mass_of_groups[place] = 0;
+    for (const GroupFields& other : fields.groups) fields.mass_of_groups[place] += other.mass[place];
+}
+
+void Fluid::keep_ambient(std::vector<std::ptrdiff_t> places)
+{
+    ambient_places_ = std::move(places);
+    ambient_state_.clear();
+    for (const std::ptrdiff_t place : ambient_places_)
+        for (const GroupFields& group : fields.groups)
+            ambient_state_.push_back(
+                {group.mass[place], group.energy[place], group.fraction.empty() ? 1 : group.fraction[place]});
+}
+
+void Fluid::start()
+{
+    update_contents();
+    hold_nodes(fields, held);
+    limit_ = evaluate(0);
+    find_node_masses();
+    sum_energies();
+}
+
+/// Gives ambient cells their state back. What that adds to internal and kinetic energy has come in from
+/// outside; the nodes keep their velocities. Returns what came in with the motion.
+double Fluid::restore_ambient()
+{
+    if (ambient_places_.empty()) return 0;
+    const double internal = sum_internal(), kinetic = kinetic_energy();
+    std::size_t entry = 0;
+    for (const std::ptrdiff_t place : ambient_places_) {
+        double total = 0;
+        for (GroupFields& group : fields.groups) {
+            const auto& [mass, energy, fraction] = ambient_state_[entry++];
+            group.mass[place] = mass;
+            group.energy[place] = energy;
+            if (!group.fraction.empty()) group.fraction[place] = fraction;
+            total += mass;
+        }
+        if (fields.groups.size() > 1) fields.mass_of_groups[place] = total;
+    }
+    update_contents();
+    find_node_masses();
+    const double gain = kinetic_energy() - kinetic;
+    energies_.outflow += internal - sum_internal() - gain;
+    return gain;
+}
+
+/// Returns the kinetic energy that has left through open sides.
+double Fluid::remap()
+{
+    const double before = open_sides ? sum_internal() : 0;
+    const double left = sweep();
+    hold_nodes(fields, held);
+    if (open_sides) energies_.outflow += before - sum_internal() + left;
+    if (!fields.lost_motion.empty()) energies_.advection_loss -= return_lost_motion();
+    return left;
+}
+
+void Fluid::advance(double step, double impulse_step)
+{
+    const double gravity_work = accelerate(step);
+    const OutsideWork by_loads = push_nodes(fields, loads, step, impulse_step, gravity);
+    const OutsideWork outside = apply_outside(fields, outside_forces, held, step, impulse_step, gravity);
+    energies_.outside_work += gravity_work + outside.gravity + outside.driving;
+    if (!loads.empty())
+        energies_.outside_work += by_loads.gravity + work_of_forces(fields, loads, impulse_step);
+    energies_.coupling_work += outside.forces;
+    deform(step);
+    if (outside_pressure != 0) energies_.outside_work += work_on_sides();
+    const double before = kinetic_energy();
+    const double left = remap();
+    const double came_in = restore_ambient();
+    ++steps_;
+    limit_ = evaluate(step);
+    sum_energies();
+    energies_.advection_loss += before - left - (energies_.kinetic - came_in);
+}
+
+void Fluid::sum_energies()
+{
+    energies_.kinetic = kinetic_energy();
+    energies_.internal = 0;
+    energies_.group_internal.resize(groups.size());
+    for (int group = 0; group < static_cast<int>(groups.size()); ++group) {
+        energies_.group_internal[group] = internal_energy(group);
+        energies_.internal += energies_.group_internal[group];
+    }
+}
+
+double Fluid::sum_internal() const
+{
+    double sum = 0;
+    for (int group = 0; group < static_cast<int>(groups.size()); ++group) sum += internal_energy(group);
+    return sum;
+}
+
+void Fluid::serialise(Archive& archive)
+{
+    archive(fields, limit_.rate, limit_.place, energies_, steps_, lagrange.mesh_velocity);
+}
+
+} // namespace plash
