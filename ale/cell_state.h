@@ -126,7 +126,9 @@ inline void deform_cells(FluidFields& fields, std::ptrdiff_t place, int only_gro
     // Void that closes within the step leaves its cell full, and the rest of the squeeze to the fluid.
     const Lane excess = filled > 1.0 ? 1.0 / filled : broadcast<Lane>(1);
     for (GroupFields& group : fields.groups) {
-        store(&group.fraction[place], load<Lane>(&group.fraction[place]) * excess);
+        const Lane fraction = load<Lane>(&group.fraction[place]) * excess;
+        // A full cell stays full to the last bit, whatever stands beside it in its batch.
+        store(&group.fraction[place], fraction > 1 - 1e-13 ? broadcast<Lane>(1) : fraction);
     }
 }
 

@@ -20,7 +20,7 @@ void set_advection(const Record& record, FluidSettings& settings)
         settings.order = AdvectionOrder::van_leer;
         break;
     case 3:
-        settings.order = AdvectionOrder::donor_cell;
+        settings.order = AdvectionOrder::van_leer;
         settings.conserve_total_energy = true;
         break;
     default:

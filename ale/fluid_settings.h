@@ -7,7 +7,7 @@ namespace plash {
 
 /// *CONTROL_ALE as far as Plash honours it.
 struct FluidSettings {
-    AdvectionOrder order = AdvectionOrder::van_leer; ///< METH = 2, -2; 1 and 3: donor cell
+    AdvectionOrder order = AdvectionOrder::van_leer; ///< METH = 2, -2, 3; 1: donor cell
     bool conserve_total_energy = false;              ///< METH = 3
     enum class Boundary { open, stick, slip };
     Boundary boundary = Boundary::open; ///< EBC: nodes of the mesh's outer faces

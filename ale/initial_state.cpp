@@ -118,10 +118,10 @@ Container container_of(const ContainerRow& row, const DeckGroups& groups, const 
     return container;
 }
 
-/// What a cell holds: share and velocity.
+/// What a cell holds of each of the deck's groups: share of its volume, and that times velocity.
 struct Filling {
-    std::vector<double> share; ///< by the deck's groups
-    Vec3 velocity{};
+    std::vector<double> share;
+    std::vector<Vec3> flow;
 };
 
 /// One *INITIAL_VOLUME_FRACTION_GEOMETRY.
@@ -209,39 +209,42 @@ void fill_by_containers(Filling& filling, const Geometry& geometry, const FluidC
         cut = cut || std::abs(container.depth(whole.centre)) < reach;
     const int pieces = cut ? cuts : 1;
     double weights = is_box ? pieces * pieces * pieces : 0;
-    std::vector<double> sum(filling.share.size());
-    Vec3 velocity{};
+    Filling sum{std::vector<double>(filling.share.size()), std::vector<Vec3>(filling.share.size())};
+    Filling part = sum;
     for (int k = 0; k < pieces; ++k) {
         for (int j = 0; j < pieces; ++j) {
             for (int i = 0; i < pieces; ++i) {
                 const Piece piece = piece_of(cell, is_box, pieces, {i, j, k});
                 if (!is_box) weights += piece.volume;
                 const double weight = is_box ? 1 / weights : piece.volume;
-                std::vector<double> share(sum.size(), 0.0);
-                share[geometry.background] = 1;
-                Vec3 own{};
+                std::fill(part.share.begin(), part.share.end(), 0.0);
+                std::fill(part.flow.begin(), part.flow.end(), Vec3{});
+                part.share[geometry.background] = 1;
                 for (const Container& container : geometry.containers) {
                     const double inside = share_inside(container, piece.centre, piece.half);
                     if (inside == 0) continue;
-                    for (double& other : share) other *= 1 - inside;
-                    share[container.group] += inside;
-                    own = (1 - inside) * own + inside * container.velocity;
+                    for (double& other : part.share) other *= 1 - inside;
+                    for (Vec3& other : part.flow) other *= 1 - inside;
+                    part.share[container.group] += inside;
+                    part.flow[container.group] += inside * container.velocity;
                 }
-                for (std::size_t g = 0; g < sum.size(); ++g) sum[g] += weight * share[g];
-                velocity += weight * own;
+                for (std::size_t g = 0; g < sum.share.size(); ++g) {
+                    sum.share[g] += weight * part.share[g];
+                    sum.flow[g] += weight * part.flow[g];
+                }
             }
         }
     }
-    if (!is_box) {
-        for (double& share : sum) share /= weights;
-        velocity *= 1 / weights;
-    }
-    for (double& share : sum) {
+    for (std::size_t g = 0; g < sum.share.size(); ++g) {
+        double& share = sum.share[g];
+        if (!is_box) {
+            share /= weights;
+            sum.flow[g] *= 1 / weights;
+        }
         if (share < 1e-12) share = 0;
         if (share > 1 - 1e-12) share = 1;
     }
-    filling.share = std::move(sum);
-    filling.velocity = velocity;
+    filling = std::move(sum);
 }
 
 /// Shares by element number.
@@ -301,30 +304,35 @@ void fill_initial_state(Fluid& fluid, const MeshBlock& block, const DeckGroups& 
         const Index solid = block.solids[number];
         const Index part = model.solids.part[solid];
         filling.share.assign(groups.groups.size(), 0.0);
-        filling.velocity = {};
+        filling.flow.assign(groups.groups.size(), Vec3{});
         // A structured mesh belongs to no group: its cells start full of the first one.
         const int own = std::max(groups.group_of_part(part), 0);
         if (!empty[part]) filling.share[own] = 1;
         const FluidCell cell = fluid.cell(number);
         for (const Geometry& geometry : geometries)
             if (geometry.parts[part]) fill_by_containers(filling, geometry, cell, block.is_box());
-        if (const auto found = by_element.find(model.solids.id[solid]); found != by_element.end())
+        if (const auto found = by_element.find(model.solids.id[solid]); found != by_element.end()) {
+            for (std::size_t g = 0; g < filling.share.size(); ++g) // velocities stay
+                filling.flow[g] *= filling.share[g] > 0 ? found->second[g] / filling.share[g] : 0;
             filling.share = found->second;
+        }
         double mass = 0;
+        Vec3 own_momentum{};
         for (std::size_t g = 0; g < groups.groups.size(); ++g) {
             const DeckGroup& group = groups.groups[g];
             if (group.fluid == none || filling.share[g] == 0) continue;
             fluid.fill_place(cell.place, cell.volume, group.fluid, filling.share[g], group.density,
                              group.energy_per_mass);
             mass += filling.share[g] * group.density * cell.volume;
+            own_momentum += (group.density * cell.volume) * filling.flow[g];
         }
         if (mass == 0) continue;
-        moves = moves || norm(filling.velocity) > 0;
+        moves = moves || norm(own_momentum) > 0;
         for (const std::ptrdiff_t node : cell.corners) {
             weight[node] += mass;
-            momentum[0][node] += mass * filling.velocity.x;
-            momentum[1][node] += mass * filling.velocity.y;
-            momentum[2][node] += mass * filling.velocity.z;
+            momentum[0][node] += own_momentum.x;
+            momentum[1][node] += own_momentum.y;
+            momentum[2][node] += own_momentum.z;
         }
     }
     if (!moves) return;

@@ -94,11 +94,11 @@ void find_outflow_shares(const BoxGrid& grid, FluidFields& fields, const BoxCont
 {
     if (contents.always_full()) return;
     mirror_fractions(grid, fields);
-    fill_boundary_shares(grid, fields, axis);
     OutflowShares shares(grid, fields, contents, axis);
     for_sheets(grid, grid.cells(2), [&](int k) {
         for (int j = 0; j < grid.cells(1); ++j) shares.row(j, k);
     });
+    fill_boundary_shares(grid, fields, axis); // last: batches at the end of a row hold ghosts as well
 }
 
 } // namespace plash

@@ -265,7 +265,12 @@ double internal_energy(const BoxGrid& grid, const FluidFields& fields, const Box
         for (int j = 0; j < grid.cells(1); ++j) {
             for (int batch = 0; batch < grid.cell_batches(); ++batch) {
                 const std::ptrdiff_t place = grid.at(batch * lane_count, j, k);
-                if (!BoxContents::nothing(contents.of_cells(place))) sum += load<Lanes>(energy + place);
+                if (BoxContents::nothing(contents.of_cells(place))) continue;
+                const int lanes = grid.cells(0) - batch * lane_count;
+                if (lanes >= lane_count)
+                    sum += load<Lanes>(energy + place);
+                else // ghosts have no mass, but an outside pressure works on them
+                    for (int lane = 0; lane < lanes; ++lane) sum[lane] += energy[place + lane];
             }
         }
         return sum_of_lanes(sum);

@@ -107,7 +107,8 @@ Lane fill_enclosed_void(Mixture<Lane>& mix, Equilibrium<Lane>& state, std::size_
 {
     const Lane room = max(1.0 - mix.filled, Lane{});
     const Lane wish = max(state.common, Lane{}) * state.compliance * (1.0 - open);
-    const auto fills = (wish >= room) & (room > 0.0);
+    // Groups whose fractions add up to one but for round-off leave no void.
+    const auto fills = ((wish >= room) & (room > 0.0)) | (room < 1e-12);
     const Lane gain = min(wish, room);
     const Lane per_compliance = state.compliance > 0.0 ? gain / state.compliance : Lane{};
     for (std::size_t g = 0; g < count; ++g) {

@@ -55,6 +55,7 @@ public:
             const int i = batch * lane_count;
             update_batch(place + i, {0, i}, {0, i + 1});
         }
+        empty_ghosts(place, cells, batches * lane_count);
     }
 
     /// Batches [first, last) of the rows at place, place + stride ... along another axis.
@@ -125,6 +126,17 @@ private:
     void clear_mass_flux(std::ptrdiff_t place, int first, int last)
     {
         std::fill_n(&fields_.mass_flux[axis_][place + first * lane_count], (last - first) * lane_count, 0.0);
+    }
+
+    /// What flows out at the end of a row must not stay in the ghosts that its last batch holds as well.
+    void empty_ghosts(std::ptrdiff_t place, int first, int last)
+    {
+        for (GroupFields& group : fields_.groups) {
+            for (AlignedDoubles* values : {&group.mass, &group.energy, &group.fraction})
+                if (!values->empty()) std::fill(&(*values)[place + first], &(*values)[place + last], 0.0);
+        }
+        if (groups_ > 1)
+            std::fill(&fields_.mass_of_groups[place + first], &fields_.mass_of_groups[place + last], 0.0);
     }
 
     /// Reads a row of cells into a slot of the ring.

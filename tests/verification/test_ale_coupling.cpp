@@ -140,6 +140,45 @@ TEST(AleCoupling, BoxOfWaterIsTight)
         EXPECT_LT(leak(elements, "2,4,1,1\n0,0,0.1,0,0.02", 0.5), 1e-4) << elements << " elements an edge";
 }
 
+// A box without a lid, half as heavy as the water it could hold out, floats with half its height below the
+// surface: Archimedes. It starts 0.6 cells too high, bobs, and its mean over the last of 3 s lies within half
+// a cell of that.
+// Open: water comes in through the walls of a box that moves (about a third of the box in 3 s), which sinks by
+// 1.1 cells more: draught 0.1035 instead of 0.075. The energy balance errs by 2.5e-5.
+TEST(AleCoupling, DISABLED_BoxFloatsAtItsDraught)
+{
+    const Threads one(1);
+    constexpr double cell = 0.025, side = 0.15, low = 0.1275, level = 0.2625,
+                     start = level - 0.5 * side + 0.6 * cell;
+    int first = 100000;
+    const Vec3 o{low, low, start}, x{side, 0, 0}, y{0, side, 0}, z{0, 0, side};
+    const std::string shells = testing::shell_patch(20, first, o, y, x, 6, 6) +     // floor, outward
+                               testing::shell_patch(20, first, o, z, y, 6, 6) +     // low x
+                               testing::shell_patch(20, first, o + x, y, z, 6, 6) + // high x
+                               testing::shell_patch(20, first, o, x, z, 6, 6) +     // low y
+                               testing::shell_patch(20, first, o + y, z, x, 6, 6);  // high y
+    // Mass 1000 x 0.15^2 x 0.075 on five sides 10 mm thick.
+    EulerianRun run(testing::structured_mesh({0, 0, 0}, {0.4, 0.4, 0.4}, {16, 16, 16}) +
+                    testing::liquid_and_void(1000, 20) + "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n" +
+                    fmt::format("5,0,1\n0,0,0,1,1,{}\n5,0,2\n{},{},{},{},{},1\n", level, low, low, start,
+                                low + side, low + side) +
+                    rigid_part(1500, 4, 7, "2,4,1,1\n0,0,0.1,0,0.3,0,0,0.2") + shells +
+                    testing::gravity(9.81) + testing::closed(3));
+    const auto& ids = run.model().nodes.id;
+    const std::size_t corner = std::find(ids.begin(), ids.end(), 100000) - ids.begin();
+    double sum = 0, span = 0;
+    run.run([&](const Clock& clock, const State& state) {
+        if (clock.time < 2) return;
+        sum += state.position[corner].z * clock.step;
+        span += clock.step;
+    });
+    // The water that fills the tank around the box rises by what the box displaces more than at the start.
+    const double floor = sum / span, water = level * (0.16 - side * side) + start * side * side;
+    const double surface = (water - floor * side * side) / (0.16 - side * side);
+    EXPECT_NEAR(surface - floor, 0.5 * side, 0.5 * cell);
+    EXPECT_LT(run.scene().ledger.balance_error(), 1e-6);
+}
+
 // Behind the plane shock the pressure is rho Us v, but the coupling's spring lets the fluid start softly:
 // with stiffness k = PFAC rho c^2 / h and damper b = 2 DAMP rho c sqrt(PFAC / 2) by area against the fluid's
 // impedance rho c,

@@ -3,6 +3,7 @@
 #include "tests/paths.h"
 #include "tests/support/crash_deck.h"
 #include "tests/support/joined_deck.h"
+#include "tests/support/splash_deck.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -117,15 +118,18 @@ protected:
 
     void SetUp() override
     {
-        if (std::string(GetParam()) == "crash") {
+        const std::string name = GetParam();
+        if (name == "crash") {
             testing::write_crash_deck(deck);
+        } else if (name == "splash") {
+            testing::write_splash_deck(deck);
         } else {
             std::ofstream(deck) << testing::joined_deck();
         }
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Decks, RestartOf, ::testing::Values("crash", "joined"),
+INSTANTIATE_TEST_SUITE_P(Decks, RestartOf, ::testing::Values("crash", "joined", "splash"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST_P(RestartOf, EndsBitIdenticalThoughKilledTwentyTimes)
