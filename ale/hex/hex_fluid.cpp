@@ -9,7 +9,7 @@ namespace plash {
 
 HexFluid::HexFluid(HexMesh all_cells, std::vector<FluidGroup> all_groups, LagrangeSettings settings)
     : Fluid(all_groups, settings,
-            FluidFields(all_cells.cells(), all_cells.nodes(), static_cast<int>(all_groups.size()),
+            FluidFields(padded(all_cells.cells()), all_cells.nodes(), static_cast<int>(all_groups.size()),
                         settings.void_allowed || all_groups.size() > 1, settings.viscous)),
       mesh(std::move(all_cells)),
       mixed_(settings.void_allowed || groups.size() > 1),
@@ -18,25 +18,28 @@ HexFluid::HexFluid(HexMesh all_cells, std::vector<FluidGroup> all_groups, Lagran
       corner_area_(mesh.node_corner.size()),
       outer_area_(mesh.nodes()),
       contents_(mesh.cells(), mixed_ ? 0 : 1),
-      face_rate_(mesh.faces.size()),
-      volume_flux_(mesh.faces.size()),
-      mass_flux_(mesh.faces.size()),
+      face_rate_(padded(mesh.faces.size()) + lane_count),
+      face_seen_(face_rate_.size()),
+      volume_flux_(face_rate_.size()),
+      mass_flux_(face_rate_.size()),
       scratch_(groups.size())
 {
     std::size_t members = 0, lines = 0, edges = 0;
     for (const HexSweep& sweep : sweeps_) {
         members = std::max(members, sweep.members.size());
-        lines = std::max(lines, sweep.lines.size());
-        edges = std::max(edges, sweep.edges.size());
+        lines = std::max(lines, padded(sweep.lines.size));
+        edges = std::max(edges, padded(sweep.edges.size));
     }
     for (GroupScratch& group : scratch_) {
         group.density.resize(mesh.cells());
         group.energy.resize(mesh.cells());
-        group.flux.resize(lines);
+        for (AlignedDoubles* flux : {&group.volume_flux, &group.mass_flux, &group.energy_flux})
+            flux->resize(lines);
     }
     member_flux_.resize(members);
     edge_flux_.resize(edges);
-    edge_velocity_.resize(edges);
+    for (AlignedDoubles& component : edge_velocity_) component.resize(edges);
+    lay_out_lanes();
 
     for (std::size_t entry = 0; entry < corner_area_.size(); ++entry) {
         const Index cell = mesh.node_corner[entry] / 8, corner = mesh.node_corner[entry] % 8;
@@ -57,6 +60,31 @@ HexFluid::HexFluid(HexMesh all_cells, std::vector<FluidGroup> all_groups, Lagran
     for (const auto& width : mesh.width) sizes.push_back(std::min({width[0], width[1], width[2]}));
     std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
     common_size_ = sizes[sizes.size() / 2];
+}
+
+void HexFluid::lay_out_lanes()
+{
+    const std::size_t faces = padded(mesh.faces.size()), cells = padded(mesh.cells());
+    for (int n = 0; n < 4; ++n) {
+        face_nodes_[n].resize(faces, 0);
+        for (AlignedDoubles& component : face_area_[n]) component.resize(faces, 0.0);
+    }
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        for (int n = 0; n < 4; ++n) {
+            const Vec3& area = mesh.faces[i].area[n];
+            face_nodes_[n][i] = mesh.faces[i].nodes[n];
+            face_area_[n][0][i] = area.x;
+            face_area_[n][1][i] = area.y;
+            face_area_[n][2][i] = area.z;
+        }
+    }
+    for (auto& of_side : cell_faces_) of_side.resize(cells, 0);
+    for (AlignedDoubles& width : width_) width.resize(cells, 1.0);
+    for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+        for (int side = 0; side < 6; ++side) cell_faces_[side][cell] = mesh.cell_faces[cell][side];
+        for (int axis = 0; axis < 3; ++axis) width_[axis][cell] = mesh.width[cell][axis];
+    }
+    mesh.volume.resize(cells, 1.0);
 }
 
 double HexFluid::total_mass(int group) const

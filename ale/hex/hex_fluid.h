@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ale/box_fields.h"
+#include "ale/cell_state.h"
 #include "ale/fluid.h"
 #include "ale/hex/hex_locator.h"
 #include "ale/hex/hex_mesh.h"
@@ -62,21 +63,32 @@ private:
     std::vector<Vec3> outer_area_;  ///< of outer faces, outward, by node [length^2]
     std::vector<Mask> contents_;    ///< of each cell
 
-    std::vector<double> face_rate_;               ///< volume that passes a face by time [volume/time]
-    std::vector<double> volume_flux_, mass_flux_; ///< through each face in the step
+    /// Faces in lanes: nodes, and components of the areas of their corners.
+    std::array<std::vector<Index>, 4> face_nodes_;
+    std::array<std::array<AlignedDoubles, 3>, 4> face_area_;
+    std::array<std::vector<Index>, 6> cell_faces_; ///< cells in lanes: their faces
+    std::array<AlignedDoubles, 3> width_;          ///< and widths [length]
+    AlignedDoubles face_rate_;                     ///< volume that passes a face by time [volume/time]
+    AlignedDoubles face_seen_;                     ///< the same, seen from the moving mesh
+    AlignedDoubles volume_flux_, mass_flux_;       ///< through each face in the step
     /// Of the present sweep: by group and cell, then by group and face of the direction.
     struct GroupScratch {
-        std::vector<double> density, energy; ///< [density], [energy/mass]
-        std::vector<GroupFlux<double>> flux;
+        AlignedDoubles density, energy; ///< [density], [energy/mass]
+        AlignedDoubles volume_flux, mass_flux, energy_flux;
     };
     std::vector<GroupScratch> scratch_;
-    std::vector<double> member_flux_, edge_flux_;
-    std::vector<Vec3> edge_velocity_;
+    AlignedDoubles member_flux_, edge_flux_;
+    std::array<AlignedDoubles, 3> edge_velocity_;
 
+    void lay_out_lanes();
     void find_openness();
+    template <class Lane>
+    Lane respond(std::size_t cell, const CellState<Lane>& state, const CellStrain<Lane>& strain,
+                 Lane crossing);
+    bool evaluate_full(std::size_t cell, CrossingRate& limit);
     CrossingRate evaluate_cell(std::size_t cell, double last_step, bool& torn);
     double filled(std::size_t cell) const;
-    void find_face_rates();
+    void find_face_rates(const std::array<AlignedDoubles, 3>& velocity);
     std::array<Vec3, 3> velocity_gradient(std::size_t cell, const std::array<AlignedDoubles, 3>& of) const;
 
     void find_outflow_shares(const HexSweep& sweep);
@@ -84,9 +96,9 @@ private:
     template <bool second_order>
     void find_fluxes(const HexSweep& sweep);
     template <bool second_order>
-    double flux_of_full(const HexSweep& sweep, std::size_t entry);
+    Lanes flux_of_full(const HexSweep& sweep, std::size_t entry);
     template <bool second_order>
-    double flux_of_parts(const HexSweep& sweep, std::size_t entry);
+    Lanes flux_of_parts(const HexSweep& sweep, std::size_t entry);
     void move_cells(const HexSweep& sweep);
     template <bool second_order>
     void move_momentum(const HexSweep& sweep);

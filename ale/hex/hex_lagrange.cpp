@@ -1,4 +1,3 @@
-#include "ale/cell_state.h"
 #include "ale/hex/hex_fluid.h"
 #include "core/parallel.h"
 
@@ -67,22 +66,10 @@ std::array<Vec3, 3> HexFluid::velocity_gradient(std::size_t cell,
 
 void HexFluid::deform(double step)
 {
-    const Vec3 wind{lagrange.mesh_velocity[0], lagrange.mesh_velocity[1], lagrange.mesh_velocity[2]};
     const auto& u = fields.mean_velocity;
+    find_face_rates(u);
     for_chunks(mesh.faces.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const HexFace& face = mesh.faces[i];
-            double rate = 0;
-            for (int n = 0; n < 4; ++n) {
-                const Index node = face.nodes[n];
-                rate +=
-                    face.area[n].x * u[0][node] + face.area[n].y * u[1][node] + face.area[n].z * u[2][node];
-            }
-            face_rate_[i] = rate;
-            // Each face is seen from the moving mesh; growth does not depend on it.
-            const Vec3 area = (face.area[0] + face.area[1]) + (face.area[2] + face.area[3]);
-            volume_flux_[i] = step * (rate - dot(area, wind));
-        }
+        for (std::size_t i = begin; i < end; ++i) volume_flux_[i] = step * face_seen_[i];
     });
     for_chunks(mesh.cells(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t cell = begin; cell < end; ++cell) {
@@ -122,19 +109,24 @@ double HexFluid::work_on_sides() const
     return outside_pressure * inward;
 }
 
-void HexFluid::find_face_rates()
+/// Growth of cells comes from face_rate_; what passes a face is seen from the moving mesh.
+void HexFluid::find_face_rates(const std::array<AlignedDoubles, 3>& velocity)
 {
-    const auto& v = fields.velocity;
+    const auto& mesh_velocity = lagrange.mesh_velocity;
+    const bool moves = mesh_velocity[0] != 0 || mesh_velocity[1] != 0 || mesh_velocity[2] != 0;
     for_chunks(mesh.faces.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const HexFace& face = mesh.faces[i];
-            double rate = 0;
+        for (std::size_t i = begin; i < end; i += lane_count) {
+            Lanes rate{}, wind{};
             for (int n = 0; n < 4; ++n) {
-                const Index node = face.nodes[n];
-                rate +=
-                    face.area[n].x * v[0][node] + face.area[n].y * v[1][node] + face.area[n].z * v[2][node];
+                const LaneMask nodes = places(&face_nodes_[n][i]);
+                for (int axis = 0; axis < 3; ++axis) {
+                    const Lanes area = load<Lanes>(&face_area_[n][axis][i]);
+                    rate += area * gather(velocity[axis].data(), nodes);
+                    if (moves) wind += area * mesh_velocity[axis];
+                }
             }
-            face_rate_[i] = rate;
+            store(&face_rate_[i], rate);
+            store(&face_seen_[i], rate - wind);
         }
     });
 }
@@ -165,6 +157,59 @@ void HexFluid::find_openness()
     });
 }
 
+/// Strain of a batch of cells, or of one, and the rate at which the flow crosses it.
+template <class Lane, class FaceValue, class SeenValue>
+CellStrain<Lane> strain_of(const FaceValue& rate, const SeenValue& seen, const Lane (&width)[3], Lane volume,
+                           Lane& crossing)
+{
+    CellStrain<Lane> strain;
+    strain.divergence = crossing = Lane{};
+    for (int axis = 0; axis < 3; ++axis) {
+        strain.rate[axis] = (rate(2 * axis + 1) - rate(2 * axis)) / volume;
+        strain.width[axis] = width[axis];
+        strain.divergence += strain.rate[axis];
+        crossing = max(crossing, max(abs(seen(2 * axis)), abs(seen(2 * axis + 1))) / volume);
+    }
+    return strain;
+}
+
+/// Stores the pressure of a batch of cells, or of one; returns the rate at which signals and the flow cross
+/// it.
+template <class Lane>
+Lane HexFluid::respond(std::size_t cell, const CellState<Lane>& state, const CellStrain<Lane>& strain,
+                       Lane crossing)
+{
+    const CellPressure<Lane> pressure = cell_pressure(state, strain, lagrange);
+    store(&fields.pressure[cell], pressure.pressure);
+    store(&fields.pressure_rate[cell], pressure.rate);
+    const Lane shortest = min(min(strain.width[0], strain.width[1]), strain.width[2]);
+    return state.density > 0.0 ? pressure.signal / shortest + crossing : Lane{};
+}
+
+/// A batch of cells that are full of one group; false when it is none, or when some liquid is torn.
+bool HexFluid::evaluate_full(std::size_t cell, CrossingRate& limit)
+{
+    const Mask mask = contents_[cell];
+    if (!BoxContents::pure(mask) || !fields.viscous[0].empty()) return false;
+    for (std::size_t other = cell + 1; other < cell + lane_count; ++other)
+        if (contents_[other] != mask) return false;
+    const Lanes volume = load<Lanes>(&mesh.volume[cell]);
+    const auto rate = [&](int side) { return gather(face_rate_.data(), places(&cell_faces_[side][cell])); };
+    const auto seen = [&](int side) { return gather(face_seen_.data(), places(&cell_faces_[side][cell])); };
+    const Lanes width[3] = {load<Lanes>(&width_[0][cell]), load<Lanes>(&width_[1][cell]),
+                            load<Lanes>(&width_[2][cell])};
+    Lanes crossing;
+    const CellStrain<Lanes> strain = strain_of<Lanes>(rate, seen, width, volume, crossing);
+    const int group = BoxContents::only_group(mask);
+    const CellState<Lanes> state = pure_state<Lanes>(fields, groups, cell, group, volume);
+    if (lagrange.void_allowed && any((state.density > 0.0) & (state.pressure < groups[group].tension_limit)))
+        return false;
+    const Lanes rates = respond(cell, state, strain, crossing);
+    for (int lane = 0; lane < lane_count; ++lane)
+        if (rates[lane] > limit.rate) limit = {rates[lane], static_cast<std::ptrdiff_t>(cell + lane)};
+    return true;
+}
+
 CrossingRate HexFluid::evaluate_cell(std::size_t cell, double last_step, bool& torn)
 {
     const Mask mask = contents_[cell];
@@ -175,23 +220,12 @@ CrossingRate HexFluid::evaluate_cell(std::size_t cell, double last_step, bool& t
             for (auto& component : fields.viscous) component[cell] = 0;
         return {};
     }
-    const Vec3 wind{lagrange.mesh_velocity[0], lagrange.mesh_velocity[1], lagrange.mesh_velocity[2]};
-    CellStrain<double> strain;
-    strain.divergence = 0;
-    double crossing = 0, shortest = 1e300;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Index low = mesh.cell_faces[cell][2 * axis], high = mesh.cell_faces[cell][2 * axis + 1];
-        const auto seen_from_mesh = [&](Index i) {
-            const HexFace& face = mesh.faces[i];
-            const Vec3 area = (face.area[0] + face.area[1]) + (face.area[2] + face.area[3]);
-            return std::abs(face_rate_[i] - dot(area, wind));
-        };
-        strain.rate[axis] = (face_rate_[high] - face_rate_[low]) / volume;
-        strain.width[axis] = mesh.width[cell][axis];
-        strain.divergence += strain.rate[axis];
-        crossing = std::max(crossing, std::max(seen_from_mesh(low), seen_from_mesh(high)) / volume);
-        shortest = std::min(shortest, strain.width[axis]);
-    }
+    const auto& faces = mesh.cell_faces[cell];
+    const auto of_rate = [&](int side) { return face_rate_[faces[side]]; };
+    const auto of_seen = [&](int side) { return face_seen_[faces[side]]; };
+    const double width[3] = {width_[0][cell], width_[1][cell], width_[2][cell]};
+    double crossing;
+    const CellStrain<double> strain = strain_of<double>(of_rate, of_seen, width, volume, crossing);
     const double closing = std::max(-strain.divergence, 0.0) * last_step;
     CellState<double> state;
     if (BoxContents::pure(mask)) {
@@ -207,26 +241,23 @@ CrossingRate HexFluid::evaluate_cell(std::size_t cell, double last_step, bool& t
         state = mixed_state<double>(fields, groups, lagrange.void_allowed, cell, volume,
                                     fields.groups[0].share[cell], closing);
     }
-    const CellPressure<double> pressure = cell_pressure(state, strain, lagrange);
-    fields.pressure[cell] = pressure.pressure;
-    fields.pressure_rate[cell] = pressure.rate;
-    double rate = pressure.signal / shortest + crossing;
+    double rate = respond(cell, state, strain, crossing);
     if (!fields.viscous[0].empty()) {
         double diffusion = 0;
-        for (const double width : strain.width) diffusion += 1 / (width * width);
-        rate += 2 * largest_kinematic_viscosity(groups) * diffusion;
+        for (const double across : width) diffusion += 1 / (across * across);
+        if (rate > 0) rate += 2 * largest_kinematic_viscosity(groups) * diffusion;
         const std::array<Vec3, 3> slope = velocity_gradient(cell, fields.velocity);
         const double gradient[3][3] = {{slope[0].x, slope[0].y, slope[0].z},
                                        {slope[1].x, slope[1].y, slope[1].z},
                                        {slope[2].x, slope[2].y, slope[2].z}};
         store_viscous_stress<double>(fields, groups, cell, gradient);
     }
-    return {state.density > 0 ? rate : 0, static_cast<std::ptrdiff_t>(cell)};
+    return {rate, static_cast<std::ptrdiff_t>(cell)};
 }
 
 CrossingRate HexFluid::evaluate(double last_step)
 {
-    find_face_rates();
+    find_face_rates(fields.velocity);
     if (lagrange.void_allowed) find_openness();
     struct Result {
         CrossingRate limit;
@@ -235,9 +266,13 @@ CrossingRate HexFluid::evaluate(double last_step)
     std::vector<Result> results((mesh.cells() + chunk_length - 1) / chunk_length);
     for_chunks(mesh.cells(), [&](std::size_t begin, std::size_t end) {
         Result& result = results[begin / chunk_length];
-        for (std::size_t cell = begin; cell < end; ++cell) {
-            const CrossingRate own = evaluate_cell(cell, last_step, result.torn);
-            if (own.rate > result.limit.rate) result.limit = own;
+        for (std::size_t first = begin; first < end; first += lane_count) {
+            const std::size_t last = std::min<std::size_t>(first + lane_count, end);
+            if (last - first == lane_count && evaluate_full(first, result.limit)) continue;
+            for (std::size_t cell = first; cell < last; ++cell) {
+                const CrossingRate own = evaluate_cell(cell, last_step, result.torn);
+                if (own.rate > result.limit.rate) result.limit = own;
+            }
         }
     });
     CrossingRate limit;

@@ -44,60 +44,66 @@ void HexFluid::find_outflow_shares(const HexSweep& sweep)
     });
 }
 
-/// Flux of the only group of a mesh that is full of it.
+/// Fluxes of the only group of a mesh that is full of it, through a batch of faces; returns the masses.
 template <bool second_order>
-double HexFluid::flux_of_full(const HexSweep& sweep, std::size_t entry)
+Lanes HexFluid::flux_of_full(const HexSweep& sweep, std::size_t entry)
 {
-    const HexLine& line = sweep.lines[entry];
-    const std::size_t face = sweep.first_face + entry;
-    const double flux = volume_flux_[face];
-    const bool upward = flux > 0;
-    const GroupScratch& own = scratch_[0];
-    const auto values = [&](const std::vector<double>& of) {
-        return Line<double>{of[line.far_below], of[line.below], of[line.above], of[line.far_above]};
-    };
-    const Index donor = upward ? line.below : line.above;
-    const double part = std::abs(flux) / fields.volume[donor];
-    const double mass = flux * carried_value<second_order>(values(own.density), upward, part, line.weights);
-    const double donor_mass = fields.groups[0].mass[donor];
-    const double mass_part = donor_mass > 0 ? std::abs(mass) / donor_mass : 0;
-    const double energy =
-        mass * carried_value<second_order>(values(own.energy), upward, mass_part, line.weights);
-    scratch_[0].flux[entry] = {flux, mass, energy};
+    GroupScratch& own = scratch_[0];
+    const Lanes flux = load<Lanes>(&volume_flux_[sweep.first_face + entry]);
+    const auto upward = flux > 0.0;
+    const std::array<LaneMask, 4> at = sweep.lines.places_of(entry);
+    const LineWeights<Lanes> weights = sweep.lines.weights_of(entry);
+    const LaneMask donor = upward ? at[1] : at[2];
+    const Lanes part = abs(flux) / gather(fields.volume.data(), donor);
+    const Lanes mass =
+        flux * carried_value<second_order>(line_of(own.density.data(), at), upward, part, weights);
+    const Lanes donor_mass = gather(fields.groups[0].mass.data(), donor);
+    const Lanes mass_part = donor_mass > 0.0 ? abs(mass) / donor_mass : Lanes{};
+    const Lanes energy =
+        mass * carried_value<second_order>(line_of(own.energy.data(), at), upward, mass_part, weights);
+    store(&own.volume_flux[entry], flux);
+    store(&own.mass_flux[entry], mass);
+    store(&own.energy_flux[entry], energy);
     return mass;
 }
 
+/// The same where cells may hold several groups, or void.
 template <bool second_order>
-double HexFluid::flux_of_parts(const HexSweep& sweep, std::size_t entry)
+Lanes HexFluid::flux_of_parts(const HexSweep& sweep, std::size_t entry)
 {
-    const HexLine& line = sweep.lines[entry];
-    const std::size_t face = sweep.first_face + entry;
-    const double flux = volume_flux_[face];
-    const bool upward = flux > 0;
-    const Index donor = upward ? line.below : line.above;
+    const Lanes flux = load<Lanes>(&volume_flux_[sweep.first_face + entry]);
+    const auto upward = flux > 0.0;
+    const std::array<LaneMask, 4> at = sweep.lines.places_of(entry);
+    const LineWeights<Lanes> weights = sweep.lines.weights_of(entry);
+    const LaneMask donor = upward ? at[1] : at[2];
     // Beyond an end of the chord stands a uniform mixture like that in the last cell.
-    const bool from_beyond = (upward ? mesh.faces[face].below : mesh.faces[face].above) == none;
-    const Index cells[4] = {line.far_below, line.below, line.above, line.far_above};
-    double total = 0;
+    const auto from_beyond =
+        (upward ? load<Lanes>(&sweep.ends_below[entry]) : load<Lanes>(&sweep.ends_above[entry])) > 0.0;
+    Lanes total{};
     for (std::size_t g = 0; g < groups.size(); ++g) {
         GroupScratch& scratch = scratch_[g];
         const GroupFields& own = fields.groups[g];
-        if (flux == 0 || !(contents_[donor] & (1u << g))) {
-            scratch.flux[entry] = {};
-            continue;
+        const Lanes fraction = gather(own.fraction.data(), donor);
+        GroupFlux<Lanes> passing{};
+        if (any((fraction > 0.0) & (flux != 0.0))) {
+            const Lanes donor_mass = gather(own.mass.data(), donor);
+            const Lanes inverse = donor_mass > 0.0 ? 1.0 / donor_mass : Lanes{};
+            const Lanes volume = fraction * gather(fields.volume.data(), donor);
+            const GroupLine<Lanes> lines{line_of(scratch.density.data(), at),
+                                         line_of(scratch.energy.data(), at),
+                                         line_of(own.mass.data(), at),
+                                         {Lanes{}, inverse, inverse, Lanes{}},
+                                         volume,
+                                         volume};
+            const Lanes shared = upward ? gather(own.share_of_outflow[1].data(), donor)
+                                        : gather(own.share_of_outflow[0].data(), donor);
+            const Lanes cut = from_beyond ? fraction : shared;
+            passing = partial_flux<second_order>(lines, flux, fraction, cut, weights);
+            total += passing.mass;
         }
-        const auto values = [&](const auto& of) {
-            return Line<double>{of[cells[0]], of[cells[1]], of[cells[2]], of[cells[3]]};
-        };
-        GroupLine<double> lines{values(scratch.density), values(scratch.energy), values(own.mass), {}, 0, 0};
-        const double donor_mass = own.mass[donor];
-        lines.inverse_mass.below = lines.inverse_mass.above = donor_mass > 0 ? 1 / donor_mass : 0;
-        lines.volume_below = own.fraction[line.below] * fields.volume[line.below];
-        lines.volume_above = own.fraction[line.above] * fields.volume[line.above];
-        const double fraction = own.fraction[donor];
-        const double cut = from_beyond ? fraction : own.share_of_outflow[upward ? 1 : 0][donor];
-        scratch.flux[entry] = partial_flux<second_order>(lines, flux, fraction, cut, line.weights);
-        total += scratch.flux[entry].mass;
+        store(&scratch.volume_flux[entry], passing.volume);
+        store(&scratch.mass_flux[entry], passing.mass);
+        store(&scratch.energy_flux[entry], passing.energy);
     }
     return total;
 }
@@ -117,10 +123,12 @@ void HexFluid::find_fluxes(const HexSweep& sweep)
             }
         }
     });
-    for_chunks(sweep.lines.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t entry = begin; entry < end; ++entry)
-            mass_flux_[sweep.first_face + entry] =
+    for_chunks(sweep.lines.size, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t entry = begin; entry < end; entry += lane_count) {
+            const Lanes mass =
                 mixed_ ? flux_of_parts<second_order>(sweep, entry) : flux_of_full<second_order>(sweep, entry);
+            store_part(&mass_flux_[sweep.first_face + entry], mass, end - entry);
+        }
     });
 }
 
@@ -137,16 +145,17 @@ void HexFluid::move_cells(const HexSweep& sweep)
             double total = 0;
             for (std::size_t g = 0; g < groups.size(); ++g) {
                 GroupFields& own = fields.groups[g];
-                const GroupFlux<double>&in = scratch_[g].flux[low - sweep.first_face],
-                      &out = scratch_[g].flux[high - sweep.first_face];
-                const double mass = own.mass[cell] + (in.mass - out.mass);
-                const double energy = own.energy[cell] + (in.energy - out.energy);
+                const GroupScratch& scratch = scratch_[g];
+                const std::size_t in = low - sweep.first_face, out = high - sweep.first_face;
+                const double mass = own.mass[cell] + (scratch.mass_flux[in] - scratch.mass_flux[out]);
+                const double energy = own.energy[cell] + (scratch.energy_flux[in] - scratch.energy_flux[out]);
                 if (!mixed_) {
                     own.mass[cell] = mass;
                     own.energy[cell] = energy;
                     continue;
                 }
-                const double volume = own.fraction[cell] * before + (in.volume - out.volume);
+                const double volume =
+                    own.fraction[cell] * before + (scratch.volume_flux[in] - scratch.volume_flux[out]);
                 // Round-off of what should be nothing, or full.
                 const bool has = mass > 0 && volume > 1e-14 * after;
                 const double fraction = volume / after;
@@ -165,30 +174,27 @@ template <bool second_order>
 void HexFluid::move_momentum(const HexSweep& sweep)
 {
     const auto& v = fields.velocity;
-    for_chunks(sweep.edges.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t edge = begin; edge < end; ++edge) {
-            double flux = 0;
-            for (const auto* part = sweep.around_edge.begin(edge); part != sweep.around_edge.end(edge);
-                 ++part)
-                flux += part->sign * member_flux_[part->member];
+    for_chunks(sweep.edges.size, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t edge = begin; edge < end; edge += lane_count) {
+            Lanes flux{};
+            for (const HexSweep::Part& part : sweep.around_edge)
+                flux +=
+                    load<Lanes>(&part.sign[edge]) * gather(member_flux_.data(), places(&part.member[edge]));
             flux *= 0.125;
-            edge_flux_[edge] = flux;
-            if (flux == 0) continue;
-            const HexLine& line = sweep.edges[edge];
-            const bool upward = flux > 0;
-            const Index donor = upward ? line.below : line.above;
-            const double donor_mass = fields.node_mass[donor];
-            const double part = donor_mass > 0 ? std::min(std::abs(flux) / donor_mass, 1.0) : 0;
-            const auto known = [&](Index node, int axis) {
-                return v[axis][fields.node_mass[node] > 0 ? node : donor];
-            };
-            double carried[3];
-            for (int axis = 0; axis < 3; ++axis) {
-                const Line<double> values{known(line.far_below, axis), known(line.below, axis),
-                                          known(line.above, axis), known(line.far_above, axis)};
-                carried[axis] = carried_value<second_order>(values, upward, part, line.weights);
-            }
-            edge_velocity_[edge] = {carried[0], carried[1], carried[2]};
+            store(&edge_flux_[edge], flux);
+            if (!any(flux != 0.0)) continue;
+            const auto upward = flux > 0.0;
+            std::array<LaneMask, 4> at = sweep.edges.places_of(edge);
+            const LaneMask donor = upward ? at[1] : at[2];
+            const Lanes donor_mass = gather(fields.node_mass.data(), donor);
+            const Lanes part = donor_mass > 0.0 ? min(abs(flux) / donor_mass, broadcast<Lanes>(1)) : Lanes{};
+            // Nodes without mass repeat the donor.
+            if (mixed_)
+                for (LaneMask& node : at) node = gather(fields.node_mass.data(), node) > 0.0 ? node : donor;
+            const LineWeights<Lanes> weights = sweep.edges.weights_of(edge);
+            for (int axis = 0; axis < 3; ++axis)
+                store(&edge_velocity_[axis][edge],
+                      carried_value<second_order>(line_of(v[axis].data(), at), upward, part, weights));
         }
     });
     update_nodes(sweep);
@@ -213,7 +219,9 @@ void HexFluid::update_nodes(const HexSweep& sweep)
                 change += in;
                 if (flow->sign > 0) through += std::abs(in);
                 if (flow->end) continue;
-                const Vec3 faster = edge_velocity_[flow->edge] - v;
+                const Vec3 faster = Vec3{edge_velocity_[0][flow->edge], edge_velocity_[1][flow->edge],
+                                         edge_velocity_[2][flow->edge]} -
+                                    v;
                 momentum += in * faster;
                 lost += in * dot(faster, faster);
             }
@@ -235,7 +243,7 @@ void HexFluid::update_nodes(const HexSweep& sweep)
 double HexFluid::motion_through_ends(const HexSweep& sweep) const
 {
     double outward = 0;
-    for (std::size_t entry = 0; entry < sweep.lines.size(); ++entry) {
+    for (std::size_t entry = 0; entry < sweep.lines.size; ++entry) {
         const std::size_t i = sweep.first_face + entry;
         const HexFace& face = mesh.faces[i];
         if ((face.below != none && face.above != none) || mass_flux_[i] == 0) continue;

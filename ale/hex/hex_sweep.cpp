@@ -38,22 +38,22 @@ Pair node_weights(double before, double after)
     return {parabola_weight(zone, before, after), parabola_weight(zone, after, before)};
 }
 
-HexLine line_of_face(const HexMesh& mesh, const HexFace& face, int direction)
+void add_line(const HexMesh& mesh, HexSweep& sweep, const HexFace& face, int direction)
 {
     const auto width = [&](Index cell) { return norm(mesh.edge[cell][axis_along(mesh, cell, direction)]); };
     const auto beside = [&](Index cell, int side) {
         const Index next = neighbour(mesh, cell, axis_along(mesh, cell, direction), side);
         return next == none ? cell : next;
     };
-    HexLine line;
-    line.below = face.below != none ? face.below : face.above;
-    line.above = face.above != none ? face.above : face.below;
-    line.far_below = face.below != none ? beside(face.below, 0) : line.below;
-    line.far_above = face.above != none ? beside(face.above, 1) : line.above;
-    const Pair below = cell_weights(width(line.far_below), width(line.below), width(line.above));
-    const Pair above = cell_weights(width(line.below), width(line.above), width(line.far_above));
-    line.weights = {below.lower, below.upper, above.lower, above.upper};
-    return line;
+    const Index below = face.below != none ? face.below : face.above;
+    const Index above = face.above != none ? face.above : face.below;
+    const Index far_below = face.below != none ? beside(face.below, 0) : below;
+    const Index far_above = face.above != none ? beside(face.above, 1) : above;
+    const Pair low = cell_weights(width(far_below), width(below), width(above));
+    const Pair high = cell_weights(width(below), width(above), width(far_above));
+    sweep.lines.add({far_below, below, above, far_above}, {low.lower, low.upper, high.lower, high.upper});
+    sweep.ends_below.push_back(face.below == none ? 1 : 0);
+    sweep.ends_above.push_back(face.above == none ? 1 : 0);
 }
 
 /// The node that follows `node`, which lies on a side of a cell, along the chord in the next cell; itself at
@@ -91,36 +91,43 @@ void add_edges(const HexMesh& mesh, HexSweep& sweep, int direction)
         return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.member < b.member;
     });
     const auto length = [&](Index a, Index b) { return norm(mesh.position[a] - mesh.position[b]); };
-    sweep.around_edge.first.push_back(0);
-    for (std::size_t i = 0; i < raw.size(); ++i) {
+    for (std::size_t i = 0; i < raw.size();) {
         const RawEdge& first = raw[i];
-        HexLine edge;
         const Index cell = sweep.members[first.member].cell;
-        edge.below = first.below;
-        edge.above = first.above;
-        edge.far_below = next_node(mesh, cell, direction, 0, first.below);
-        edge.far_above = next_node(mesh, cell, direction, 1, first.above);
-        const double own = length(edge.below, edge.above);
-        const double before = edge.far_below == edge.below ? own : length(edge.far_below, edge.below);
-        const double after = edge.far_above == edge.above ? own : length(edge.above, edge.far_above);
+        const Index far_below = next_node(mesh, cell, direction, 0, first.below);
+        const Index far_above = next_node(mesh, cell, direction, 1, first.above);
+        const double own = length(first.below, first.above);
+        const double before = far_below == first.below ? own : length(far_below, first.below);
+        const double after = far_above == first.above ? own : length(first.above, far_above);
         const Pair below = node_weights(before, own), above = node_weights(own, after);
-        edge.weights = {below.lower, below.upper, above.lower, above.upper};
-        sweep.edges.push_back(edge);
-        for (; i < raw.size() && raw[i].low == first.low && raw[i].high == first.high; ++i)
-            sweep.around_edge.entries.push_back({raw[i].member, raw[i].below == first.below ? 1.0 : -1.0});
-        --i;
-        sweep.around_edge.first.push_back(sweep.around_edge.entries.size());
+        const std::size_t edge = sweep.edges.size;
+        sweep.edges.add({far_below, first.below, first.above, far_above},
+                        {below.lower, below.upper, above.lower, above.upper});
+        for (std::size_t part = 0; i < raw.size() && raw[i].low == first.low && raw[i].high == first.high;
+             ++i, ++part) {
+            if (part == sweep.around_edge.size()) sweep.around_edge.emplace_back();
+            HexSweep::Part& column = sweep.around_edge[part];
+            column.member.resize(edge, 0);
+            column.sign.resize(edge, 0.0);
+            column.member.push_back(raw[i].member);
+            column.sign.push_back(raw[i].below == first.below ? 1.0 : -1.0);
+        }
     }
+    for (HexSweep::Part& column : sweep.around_edge) {
+        column.member.resize(padded(sweep.edges.size), 0);
+        column.sign.resize(padded(sweep.edges.size), 0.0);
+    }
+    sweep.edges.pad();
 }
 
 void add_nodes(const HexMesh& mesh, HexSweep& sweep)
 {
     std::vector<std::vector<HexSweep::Flow>> flows(mesh.nodes());
-    for (std::size_t edge = 0; edge < sweep.edges.size(); ++edge) {
-        flows[sweep.edges[edge].below].push_back({static_cast<Index>(edge), -1, false});
-        flows[sweep.edges[edge].above].push_back({static_cast<Index>(edge), 1, false});
+    for (std::size_t edge = 0; edge < sweep.edges.size; ++edge) {
+        flows[sweep.edges.place[1][edge]].push_back({static_cast<Index>(edge), -1, false});
+        flows[sweep.edges.place[2][edge]].push_back({static_cast<Index>(edge), 1, false});
     }
-    for (std::size_t entry = 0; entry < sweep.lines.size(); ++entry) {
+    for (std::size_t entry = 0; entry < sweep.lines.size; ++entry) {
         const HexFace& face = mesh.faces[sweep.first_face + entry];
         if (face.below != none && face.above != none) continue;
         for (Index node : face.nodes)
@@ -149,7 +156,10 @@ std::vector<HexSweep> make_hex_sweeps(const HexMesh& mesh)
         }
         sweep.first_face = mesh.first_face[direction];
         for (std::size_t face = mesh.first_face[direction]; face < mesh.first_face[direction + 1]; ++face)
-            sweep.lines.push_back(line_of_face(mesh, mesh.faces[face], direction));
+            add_line(mesh, sweep, mesh.faces[face], direction);
+        sweep.lines.pad();
+        sweep.ends_below.resize(padded(sweep.lines.size), 0.0);
+        sweep.ends_above.resize(padded(sweep.lines.size), 0.0);
         add_edges(mesh, sweep, direction);
         add_nodes(mesh, sweep);
     }

@@ -1,16 +1,9 @@
 #pragma once
 
-#include "ale/cell_flux.h"
+#include "ale/hex/hex_lanes.h"
 #include "ale/hex/hex_mesh.h"
 
 namespace plash {
-
-/// Four cells, or four nodes, in a line along a chord; at the end of a chord the last one stands for what
-/// lies beyond.
-struct HexLine {
-    Index far_below, below, above, far_above;
-    LineWeights<double> weights; ///< of the central differences in the two in the middle
-};
 
 /// A list of entries for each of several owners.
 template <class T>
@@ -31,16 +24,18 @@ struct HexSweep {
     };
     std::vector<Member> members;
     std::size_t first_face = 0; ///< of the mesh; `lines` has an entry for each of the direction
-    std::vector<HexLine> lines; ///< of cells, across each face
+    /// Cells across each face; at the end of a chord the last one stands for what lies beyond.
+    HexLines lines;
+    AlignedDoubles ends_below, ends_above; ///< 1 where the chord ends at the face, by entry of `lines`
 
     /// Edges along the chords, from node `below` to node `above`, and the members around each: the mass that
     /// goes along an edge is an eighth of the sum of what passes the lower and the upper faces of these.
-    std::vector<HexLine> edges;
+    HexLines edges; ///< with the nodes before and after
     struct Part {
-        Index member;
-        double sign; ///< -1 where the chord runs against the edge
+        std::vector<Index> member; ///< by edge; beyond the last one of an edge any, with sign 0
+        AlignedDoubles sign;       ///< -1 where the chord runs against the edge
     };
-    Grouped<Part> around_edge;
+    std::vector<Part> around_edge;
 
     /// Nodes that the sweep touches, and what flows in and out there.
     std::vector<Index> nodes;

@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""A rigid box without a lid, half as heavy as the water it can hold out, on an Eulerian mesh: Archimedes' draught.
+
+Usage: floating_box.py [CELLS_ALONG_THE_TANK] [COUPLING]     (default: 16, the text of the coupling's cards below)
+Tank 0.4 m, box 0.15 m, cards of the coupling separated by /; prints the draught over the last third of 3 s beside 0.075 m.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+top = pathlib.Path(__file__).resolve().parent.parent
+plash = top / "build" / "release" / "plash"
+cells = int(sys.argv[1]) if len(sys.argv) > 1 else 16
+coupling = sys.argv[2].replace("/", "\n") if len(sys.argv) > 2 else "2,4,1,1\n0,0,0.1,0,0.3,0,0,0.2\n,,,2,0.1"
+side, low, level, end = 0.15, 0.1275, 0.2625, 3.0
+cell = 0.4 / cells
+start = level - 0.5 * side + 0.015
+per_edge = max(2, round(side / cell))
+
+
+def patch(first, corner, a, b):
+    """Nodes and shells of a square with its normal along a x b."""
+    n = per_edge
+    nodes, shells = "", ""
+    for j in range(n + 1):
+        for i in range(n + 1):
+            x = [corner[d] + (a[d] * i + b[d] * j) * side / n for d in range(3)]
+            number = first + i + (n + 1) * j
+            nodes += f"{number},{x[0]:.9g},{x[1]:.9g},{x[2]:.9g}\n"
+            if i < n and j < n:
+                shells += f"{number},20,{number},{number + 1},{number + n + 2},{number + n + 1}\n"
+    return nodes, shells
+
+
+x, y, z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
+origin, far_x, far_y = (low, low, start), (low + side, low, start), (low, low + side, start)
+walls = [(origin, y, x), (origin, z, y), (far_x, y, z), (origin, x, z), (far_y, z, x)]
+parts = [patch(100000 + 10000 * number, *wall) for number, wall in enumerate(walls)]
+text = "*KEYWORD\n*ALE_STRUCTURED_MESH\n1,10,1,1\n1,2,3\n"
+for axis in (1, 2, 3):
+    text += f"*ALE_STRUCTURED_MESH_CONTROL_POINTS\n{axis}\n1,0\n{cells + 1},0.4\n"
+text += f"""*ALE_MULTI-MATERIAL_GROUP
+1,1
+2,1
+*PART
+water
+1,1,1,1
+*PART
+empty
+2,1,2
+*SECTION_SOLID
+1,11
+*MAT_NULL
+1,1000,-1e4
+*EOS_LINEAR_POLYNOMIAL
+1,0,4e5
+
+*MAT_VACUUM
+2,0
+*INITIAL_VOLUME_FRACTION_GEOMETRY
+10,1,2,3
+5,0,1
+0,0,0,1,1,{level}
+5,0,2
+{low},{low},{start},{low + side},{low + side},1
+*PART
+box
+20,20,20
+*SECTION_SHELL
+20,2
+0.01,0.01,0.01,0.01
+*MAT_RIGID
+20,1500,2e11,0.3
+1,4,7
+
+*CONSTRAINED_LAGRANGE_IN_SOLID
+20,10,1,1,{coupling}
+*LOAD_BODY_Z
+1,9.81
+*DEFINE_CURVE
+1
+0,1
+1e9,1
+*CONTROL_ALE
+-1,1,2,-1
+,,,,,2
+*CONTROL_TERMINATION
+{end}
+*CONTROL_TIMESTEP
+0,0.67
+*DATABASE_HISTORY_NODE
+100000
+*DATABASE_NODOUT
+0.01
+*NODE
+{''.join(nodes for nodes, _ in parts)}*ELEMENT_SHELL
+{''.join(shells for _, shells in parts)}*END
+"""
+with tempfile.TemporaryDirectory() as folder:
+    path = pathlib.Path(folder)
+    (path / "deck.k").write_text(text)
+    subprocess.run([plash, "run", path / "deck.k", "-o", path / "out", "-j", "1"], check=True,
+                   stdout=subprocess.DEVNULL)
+    heights, time = [], 0.0
+    for line in (path / "out" / "nodout").read_text().splitlines():
+        if "at time" in line:
+            time = float(line.split("at time")[1].split(")")[0])
+        words = line.split()
+        if words and words[0] == "100000" and len(line) > 150:  # displacements to coordinates; z is the last
+            heights.append((time, float(line[10 + 12 * 11:10 + 12 * 12])))
+late = [height for when, height in heights if when > 2 * end / 3]
+floor = sum(late) / len(late)
+area = 0.16 - side * side
+surface = (level * area + start * side * side - floor * side * side) / area
+print(f"draught {surface - floor:.4f} m, wanted {0.5 * side:.4f} m: {(surface - floor - 0.5 * side) / cell:+.2f} cells of "
+      f"{cell:.4f} m; lowest {min(h for _, h in heights):.4f}, highest {max(h for _, h in heights):.4f}")
