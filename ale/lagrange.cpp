@@ -25,11 +25,11 @@ struct CellRowsAroundNodes {
 };
 
 /// Cell values before and after a batch of nodes along the row.
-struct Neighbours {
+struct SideValues {
     Lanes before, after;
 };
 
-Neighbours around(const double* cell)
+SideValues around(const double* cell)
 {
     return {load<Lanes>(cell - 1), load<Lanes>(cell)};
 }
@@ -38,7 +38,7 @@ Lanes node_mass(const CellRowsAroundNodes& rows, const double* cell_mass)
 {
     Lanes sum{};
     for (int row = 0; row < 4; ++row) {
-        const Neighbours mass = around(cell_mass + rows.offset[row]);
+        const SideValues mass = around(cell_mass + rows.offset[row]);
         sum += mass.before + mass.after;
     }
     return 0.125 * sum;
@@ -55,8 +55,8 @@ NodeForce pressure_force(const CellRowsAroundNodes& rows, const double* pressure
     Lanes weighted[4];
     NodeForce force{};
     for (int row = 0; row < 4; ++row) {
-        Neighbours p = around(pressure + rows.offset[row]);
-        const Neighbours r = around(rate + rows.offset[row]);
+        SideValues p = around(pressure + rows.offset[row]);
+        const SideValues r = around(rate + rows.offset[row]);
         p.before += half_step * r.before;
         p.after += half_step * r.after;
         force.x += (rows.width_y[row] * rows.width_z[row]) * (p.before - p.after);
@@ -82,11 +82,11 @@ void add_viscous_force(NodeForce& force, const CellRowsAroundNodes& rows, const 
         const auto stress = [&](int component) {
             return around(&fields.viscous[component][place + rows.offset[row]]);
         };
-        const auto across = [&](const Neighbours& s) { return s.after - s.before; };
-        const auto summed = [&](const Neighbours& s) {
+        const auto across = [&](const SideValues& s) { return s.after - s.before; };
+        const auto summed = [&](const SideValues& s) {
             return width_before * s.before + width_after * s.after;
         };
-        const Neighbours xx = stress(0), yy = stress(1), zz = stress(2), xy = stress(3), yz = stress(4),
+        const SideValues xx = stress(0), yy = stress(1), zz = stress(2), xy = stress(3), yz = stress(4),
                          zx = stress(5);
         force.x += area_x * across(xx) + side_y * summed(xy) + side_z * summed(zx);
         force.y += area_x * across(xy) + side_y * summed(yy) + side_z * summed(yz);

@@ -280,7 +280,7 @@ bool fits(std::string_view pattern, std::string_view name, char joker)
     return joker == '*' || (!name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos);
 }
 
-bool holds(std::string_view fields, std::string_view name)
+bool names_field(std::string_view fields, std::string_view name)
 {
     while (!fields.empty()) {
         const auto end = fields.find(' ');
@@ -303,7 +303,7 @@ std::optional<double> UnitFactors::of(const Dimension& dimension) const
 std::optional<Dimension> dimension_of(std::string_view keyword, std::string_view field)
 {
     for (const Row& row : rows)
-        if (fits(row.keyword, keyword, '*') && holds(row.fields, field)) return row.dimension;
+        if (fits(row.keyword, keyword, '*') && names_field(row.fields, field)) return row.dimension;
     return std::nullopt;
 }
 
@@ -320,7 +320,7 @@ std::optional<CurveDimensions> curve_dimensions_of(std::string_view keyword, std
         return CurveDimensions{duration, rotation ? about[kind] : along[kind], number};
     }
     for (const CurveRow& row : curve_rows) {
-        if (!fits(row.keyword, keyword, '*') || !holds(row.fields, field)) continue;
+        if (!fits(row.keyword, keyword, '*') || !names_field(row.fields, field)) continue;
         CurveDimensions dimensions = row.dimensions;
         if (rotation && dimensions.ordinate == force) dimensions.ordinate = moment;
         return dimensions;

@@ -124,7 +124,7 @@ void read_solid_history(const Record& record, const Block&, Reading& reading)
 
 /// What *DATABASE_CROSS_SECTION_PLANE cuts: an endless plane, a rectangle from its tail, or a circle around
 /// it.
-struct Cut {
+struct CutPlane {
     Vec3 tail{}, normal{}, edge{};
     double length_l = 0, length_m = 0, radius = 0;
 
@@ -140,7 +140,7 @@ struct Cut {
 
 /// Area of the convex polygon in which a plane cuts an element: from all pairs of corners on both sides,
 /// which includes the edges, and whose other points lie inside.
-double cut_area(const Cut& cut, const std::vector<Vec3>& corners)
+double cut_area(const CutPlane& cut, const std::vector<Vec3>& corners)
 {
     std::vector<std::pair<double, double>> points; // in the plane
     const Vec3 helper = std::abs(cut.normal.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -180,7 +180,7 @@ double cut_area(const Cut& cut, const std::vector<Vec3>& corners)
 
 /// Elements of a topology that the plane cuts, and their nodes on the side of its tail.
 template <class Elements>
-void cut_elements(const Cut& cut, const Elements& elements, const std::vector<bool>& wanted,
+void cut_elements(const CutPlane& cut, const Elements& elements, const std::vector<bool>& wanted,
                   const Model& model, std::vector<Index>& chosen, CrossSection& section)
 {
     for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -231,7 +231,7 @@ void read_section_plane(const Record& record, const Block& block, Reading& readi
 {
     const Model& model = reading.model;
     const Affine motion = reading.motion_of(block);
-    Cut cut;
+    CutPlane cut;
     cut.tail = motion.point({record.real("XCT"), record.real("YCT"), record.real("ZCT")});
     cut.normal = unit(motion.point({record.real("XCH"), record.real("YCH"), record.real("ZCH")}) - cut.tail);
     if (norm(cut.normal) < 0.5) {

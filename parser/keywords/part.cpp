@@ -7,7 +7,7 @@
 namespace plash {
 namespace {
 
-Part part_of(const Record& record, Reading& reading)
+Part new_part(const Record& record, Reading& reading)
 {
     Part part;
     part.id = record.integer("PID");
@@ -25,13 +25,13 @@ Part part_of(const Record& record, Reading& reading)
 
 void read_part(const Record& record, const Block&, Reading& reading)
 {
-    reading.model.parts.push_back(part_of(record, reading));
+    reading.model.parts.push_back(new_part(record, reading));
 }
 
 void read_part_inertia(const Record& record, const Block& block, Reading& reading)
 {
     const PartInertia inertia = read_inertia(record, block, "CID", reading);
-    reading.model.parts.push_back(part_of(record, reading));
+    reading.model.parts.push_back(new_part(record, reading));
     reading.model.part_inertias[static_cast<Index>(reading.model.parts.size()) - 1] = inertia;
 }
 
@@ -47,14 +47,14 @@ void read_part_contact(const Record& record, const Block&, Reading& reading)
     contact.stiffness_scale = record.real("SSF");
     for (double* scale : {&contact.thickness_scale, &contact.stiffness_scale})
         if (*scale == 0) *scale = 1;
-    reading.model.parts.push_back(part_of(record, reading));
+    reading.model.parts.push_back(new_part(record, reading));
     reading.model.part_contacts[static_cast<Index>(reading.model.parts.size()) - 1] = contact;
 }
 
 /// Two plies to a line, bottom first; a ply without material and thickness is not there.
 void read_part_composite(const Record& record, const Block&, Reading& reading)
 {
-    Part part = part_of(record, reading);
+    Part part = new_part(record, reading);
     part.composite = static_cast<Index>(reading.model.others.size());
     reading.model.others.push_back(record);
     if (const Table* plies = record.table("MID1")) {

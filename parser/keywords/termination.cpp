@@ -71,7 +71,7 @@ void read_deleted(const Record& record, const Block&, Reading& reading)
     if (!end.parts.empty()) reading.model.terminations.push_back(std::move(end));
 }
 
-void read_curve(const Record& record, const Block&, Reading& reading)
+void read_curve_termination(const Record& record, const Block&, Reading& reading)
 {
     Termination end;
     end.where = record.where;
@@ -82,7 +82,7 @@ void read_curve(const Record& record, const Block&, Reading& reading)
 }
 
 /// The contact is looked up when the run starts: contacts are complete only then.
-void read_contact(const Record& record, const Block&, Reading& reading)
+void read_contact_termination(const Record& record, const Block&, Reading& reading)
 {
     Termination end;
     end.where = record.where;
@@ -103,8 +103,8 @@ constexpr Translator termination_table[] = {
     {"TERMINATION_BODY", Phase::conditions, read_body},
     {"TERMINATION_DELETED_SHELLS*", Phase::conditions, read_deleted},
     {"TERMINATION_DELETED_SOLIDS*", Phase::conditions, read_deleted},
-    {"TERMINATION_CURVE", Phase::conditions, read_curve},
-    {"TERMINATION_CONTACT", Phase::conditions, read_contact},
+    {"TERMINATION_CURVE", Phase::conditions, read_curve_termination},
+    {"TERMINATION_CONTACT", Phase::conditions, read_contact_termination},
 };
 
 } // namespace

@@ -16,7 +16,7 @@ using testing::text_of;
 
 namespace {
 
-const std::string folder = "decks/targets/bolt_preload_pull/";
+const std::string bolt_folder = "decks/targets/bolt_preload_pull/";
 constexpr Id head = 1200000, nut = 1100002;
 
 /// Runs the deck to a time, into `results`.
@@ -24,7 +24,7 @@ bool run_bolt(double until, const testing::TemporaryFolder& results)
 {
     const std::string command =
         fmt::format("'{}' run '{}' -j 1 -o '{}' --until {} > /dev/null", PLASH_PROGRAM,
-                    shared_file(folder + "mainboltbexpl.k").string(), results.path().string(), until);
+                    shared_file(bolt_folder + "mainboltbexpl.k").string(), results.path().string(), until);
     return std::system(command.c_str()) == 0;
 }
 
@@ -61,12 +61,12 @@ std::pair<double, double> along_y(const testing::NodoutFile::Table& table, Id no
 /// where both touch: the nut 1.0 mm on, the head 1.16 (shells thinned by their short sides).
 TEST(BoltPreload, StartsAsLsDynaDoes)
 {
-    PLASH_NEED_SHARED(shared_file(folder + "mainboltbexpl.k"));
+    PLASH_NEED_SHARED(shared_file(bolt_folder + "mainboltbexpl.k"));
     const testing::TemporaryFolder results;
     ASSERT_TRUE(run_bolt(0.171, results));
     EXPECT_NEAR(testing::read_glstat(text_of(results / "glstat")).states.front().step, 2.11870e-4, 1e-9);
     const auto ours = motion_in(results / "nodout");
-    const auto theirs = motion_in(shared_file(folder + "nodout"));
+    const auto theirs = motion_in(shared_file(bolt_folder + "nodout"));
     for (const double time : {0.0498, 0.0998, 0.1498, 0.1648, 0.1699}) {
         const auto& reference = at(theirs, time);
         for (const Id node : {head, nut}) {
@@ -84,11 +84,11 @@ TEST(BoltPreload, StartsAsLsDynaDoes)
 // (40 s).
 TEST(BoltPreload, DISABLED_EndsAsLsDynaDoes)
 {
-    PLASH_NEED_SHARED(shared_file(folder + "mainboltbexpl.k"));
+    PLASH_NEED_SHARED(shared_file(bolt_folder + "mainboltbexpl.k"));
     const testing::TemporaryFolder results;
     ASSERT_TRUE(run_bolt(5.1, results));
     const auto ours = testing::read_glstat(text_of(results / "glstat")).states;
-    const auto theirs = testing::read_glstat(text_of(shared_file(folder + "glstat"))).states;
+    const auto theirs = testing::read_glstat(text_of(shared_file(bolt_folder + "glstat"))).states;
     for (const double time : {0.49996, 0.999901, 2.99985, 4.99989}) {
         const auto &mine = at(ours, time), &reference = at(theirs, time);
         EXPECT_NEAR(mine.step / reference.step, 1, 0.01) << time;

@@ -6,7 +6,7 @@ namespace plash::testing {
 
 namespace {
 
-constexpr const char* controls = R"(*CONTROL_TERMINATION
+constexpr const char* joined_controls = R"(*CONTROL_TERMINATION
 0.6
 *CONTROL_ENERGY
 2,2,2
@@ -52,7 +52,7 @@ constexpr const char* controls = R"(*CONTROL_TERMINATION
 10.0,1.0
 )";
 
-constexpr const char* materials = R"(*MAT_PIECEWISE_LINEAR_PLASTICITY
+constexpr const char* joined_materials = R"(*MAT_PIECEWISE_LINEAR_PLASTICITY
 1,7.8e-6,210.0,0.3,0.25,1.0
 ,
 ,
@@ -98,8 +98,8 @@ std::string joined_deck()
 {
     DeckText deck;
     deck.text += "*TITLE\neverything that joins\n";
-    deck.text += controls;
-    deck.text += materials;
+    deck.text += joined_controls;
+    deck.text += joined_materials;
     // Four blocks on top of one another: tied, tied at a distance, glued.
     deck.part(1, 2, 1);
     deck.part(2, 2, 2);

@@ -7,7 +7,7 @@ namespace plash::testing {
 
 namespace {
 
-constexpr const char* head = R"(*KEYWORD
+constexpr const char* splash_head = R"(*KEYWORD
 *TITLE
 fluids and what couples them
 *CONTROL_TERMINATION
@@ -168,7 +168,7 @@ void write_splash_deck(const std::filesystem::path& path)
                                 at(i + 1, j, k), at(i + 1, j + 1, k), at(i, j + 1, k), at(i, j, k + 1),
                                 at(i + 1, j, k + 1), at(i + 1, j + 1, k + 1), at(i, j + 1, k + 1));
             }
-    std::ofstream(path) << head << "*NODE\n"
+    std::ofstream(path) << splash_head << "*NODE\n"
                         << nodes << "*ELEMENT_SHELL\n"
                         << shells << "*ELEMENT_SOLID\n"
                         << solids << "*END\n";

@@ -12,16 +12,16 @@ using testing::SolidBlock;
 
 namespace {
 
-constexpr double young = 210e9, density = 7850, side = 0.01;
+constexpr double young = 210e9, cube_density = 7850, side = 0.01;
 
 Record steel(double poisson)
 {
-    return record_of("MAT_ELASTIC", 1, {{"RO", density}, {"E", young}, {"PR", poisson}});
+    return record_of("MAT_ELASTIC", 1, {{"RO", cube_density}, {"E", young}, {"PR", poisson}});
 }
 
 double wave_speed(double poisson)
 {
-    return std::sqrt(young * (1 - poisson) / (density * (1 + poisson) * (1 - 2 * poisson)));
+    return std::sqrt(young * (1 - poisson) / (cube_density * (1 + poisson) * (1 - 2 * poisson)));
 }
 
 /// First step of a block of cubes over side / wave speed.
