@@ -288,6 +288,11 @@ void DefinitionReader::read_row(const std::vector<CardLayout>& cards, const Reco
                 fields.assign(on_line, card.fields.front());
                 entry += on_line - 1;
             }
+            if (entry > 0 && !peek(line)) {
+                report_.error(here(), layout_.name, card.count,
+                              fmt::format("{} entries are asked for, the block ends before", entries));
+                break;
+            }
             if (present && peek(line)) {
                 cut_next_line(fields);
                 if (!row_line) row_line = cursor_.line();
