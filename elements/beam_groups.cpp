@@ -39,7 +39,7 @@ void add_group(const BeamPart& beams, State& state, std::vector<std::unique_ptr<
         throw DeckError(part.where, fmt::format("*PART {} has beams but no material", part.id));
     }
     const Record& material = beams.model.materials[part.material];
-    if (material.keyword == "MAT_RIGID") return;
+    if (beams.model.is_rigid(beams.part)) return;
     if (erosion_criteria(beams.model, material)) {
         throw DeckError(part.where,
                         fmt::format("*PART {}: *MAT_ADD_EROSION is supported for solids only", part.id));

@@ -57,10 +57,12 @@ void D3plotRecorder::write_state(const Snapshot& snapshot)
     r.solid_fraction.assign(layout_.fluid_groups, std::vector<double>(layout_.fluid_groups > 0 ? solids : 0));
     clear(r.part_motion, layout_.parts.size());
     r.walls.clear();
+    r.rigid_mass = 0;
+    r.rigid_momentum = {};
     snapshot.collect(r);
 
     family_.begin_state(snapshot.clock.time, layout_.state_words());
-    put_globals(snapshot, global_velocity(snapshot, motion, r.part_motion));
+    put_globals(snapshot, global_velocity(snapshot, motion, r));
     for (Index node : layout_.nodes) put(family_, motion.position(node));
     for (Index node : layout_.nodes) put(family_, motion.velocity(node));
     for (Index node : layout_.nodes) put(family_, motion.acceleration(node));

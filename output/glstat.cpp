@@ -44,7 +44,7 @@ GlobalStatistics global_statistics(const Snapshot& snapshot)
     sums.part_motion.resize(snapshot.model.parts.size());
     snapshot.collect(sums);
     for (const auto& wall : sums.walls) result.stonewall.push_back(wall.energy);
-    result.velocity = global_velocity(snapshot, NodalMotion(snapshot, false), sums.part_motion);
+    result.velocity = global_velocity(snapshot, NodalMotion(snapshot, false), sums);
     return result;
 }
 

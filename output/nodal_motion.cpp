@@ -41,7 +41,7 @@ NodalMotion::NodalMotion(const Snapshot& snapshot, bool rotations)
 }
 
 Vec3 global_velocity(const Snapshot& snapshot, const NodalMotion& motion,
-                     const std::vector<ElementResults::PartMotion>& parts)
+                     const ElementResults& results)
 {
     const std::vector<double>& mass = snapshot.state.mass;
     double total_mass = 0;
@@ -51,12 +51,10 @@ Vec3 global_velocity(const Snapshot& snapshot, const NodalMotion& motion,
         total_mass += mass[node];
         momentum += mass[node] * motion.velocity(static_cast<Index>(node));
     }
-    const Model& model = snapshot.model;
-    for (std::size_t part = 0; part < parts.size(); ++part) {
-        const ElementResults::PartMotion& own = parts[part];
-        const Index material = model.parts[part].material;
-        const bool rigid = material != none && model.materials[material].keyword == "MAT_RIGID";
-        if (!rigid && !own.outside_state) continue;
+    total_mass += results.rigid_mass;
+    momentum += results.rigid_momentum;
+    for (const ElementResults::PartMotion& own : results.part_motion) {
+        if (!own.outside_state) continue;
         total_mass += own.mass;
         momentum += Vec3{own.momentum[0], own.momentum[1], own.momentum[2]};
     }

@@ -41,8 +41,7 @@ private:
 };
 
 /// Velocity of the whole model as one rigid body: momentum over mass [velocity]. Nodes that the loop moves
-/// count with their own mass, rigid parts with that of `parts`.
-Vec3 global_velocity(const Snapshot&, const NodalMotion&,
-                     const std::vector<ElementResults::PartMotion>& parts);
+/// count with their own mass, rigid bodies and fluids with what `results` holds of them.
+Vec3 global_velocity(const Snapshot&, const NodalMotion&, const ElementResults& results);
 
 } // namespace plash

@@ -271,6 +271,8 @@ void RigidBodies::collect(const State&, ElementResults& results) const
     }
     for (const RigidBody& body : bodies_) {
         if (body.released) continue;
+        results.rigid_mass += body.mass;
+        results.rigid_momentum += body.mass * body.velocity;
         for (std::size_t i = 0; i < body.nodes.size(); ++i) {
             const Index node = body.nodes[i];
             if (!results.acceleration.empty()) results.acceleration[node] = body.acceleration_of_node[i];

@@ -83,7 +83,7 @@ TEST(StructuralDecks, BoxDropsOnATable)
         "*INITIAL_VELOCITY_GENERATION\n1,2,0.0,0.0,0.0,-8000.0\n0,0,0,0,0,0\n";
     DeckRun run(deck.text);
     ASSERT_TRUE(run.scene);
-    const Index low = run.node(box + 7);
+    const Index low = run.node(box + 9);
     double lowest = 100;
     run.watch([&](const Clock&, const State& state) { lowest = std::min(lowest, state.position[low].z); });
     run.go();

@@ -1,5 +1,8 @@
 #include "rigid/rigid_bodies.h"
 
+#include "output/glstat.h"
+#include "tests/support/deck_run.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -127,6 +130,48 @@ TEST(RigidBodies, TorqueAboutAFixedAxisGivesTheKnownSpin)
     // I_zz = 4 (1.5^2 + 1^2) = 13; omega = 6 t / 13 at t = n - 1/2 steps, exact for a constant couple.
     EXPECT_NEAR(bodies.bodies()[0].angular_velocity.z, 6.0 * 0.9995 / 13, 1e-9);
     EXPECT_EQ(bodies.bodies()[0].angular_velocity.x, 0);
+}
+
+namespace {
+
+/// Keeps what glstat shows of the whole model's motion.
+class GlobalVelocities : public Recorder {
+public:
+    explicit GlobalVelocities(std::vector<Vec3>& seen) : seen_(seen) {}
+    double next_time() const override { return 0; }
+    void write(const Snapshot& snapshot) override { seen_.push_back(global_statistics(snapshot).velocity); }
+
+private:
+    std::vector<Vec3>& seen_;
+};
+
+} // namespace
+
+/// A cube at rest, one whose nodes are a nodal rigid body, and one of *MAT_RIGID that goes twice as fast: 3
+/// bodies of one mass, 3 and 6 along x.
+TEST(RigidBodies, CountInTheVelocityOfTheWholeModel)
+{
+    testing::DeckText deck;
+    deck.text += "*CONTROL_TERMINATION\n1.0e-3\n*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,1.0,100.0,0.3\n"
+                 "*MAT_RIGID\n2,1.0,100.0,0.3\n,\n,\n";
+    deck.part(1, 1, 1);
+    deck.part(2, 1, 1);
+    deck.part(3, 1, 2);
+    deck.block(1, {0, 0, 0}, {1, 1, 1}, 1, 1, 1);
+    deck.block(2, {5, 0, 0}, {6, 1, 1}, 1, 1, 1);
+    deck.block(3, {9, 0, 0}, {10, 1, 1}, 1, 1, 1);
+    deck.text += "*SET_NODE_LIST_GENERATE\n1\n9,16\n*CONSTRAINED_NODAL_RIGID_BODY\n9,,1\n"
+                 "*INITIAL_VELOCITY_GENERATION\n2,2,0.0,3.0,0.0,0.0\n0,0,0,0,0,0\n"
+                 "3,2,0.0,6.0,0.0,0.0\n0,0,0,0,0,0\n";
+    testing::DeckRun run(deck.text);
+    ASSERT_TRUE(run.scene);
+    std::vector<Vec3> seen;
+    Recorders recorders;
+    recorders.push_back(std::make_unique<GlobalVelocities>(seen));
+    const Outcome outcome = plash::run(*run.scene, recorders);
+    EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
+    ASSERT_FALSE(seen.empty());
+    for (const Vec3& velocity : seen) EXPECT_NEAR(velocity.x, 3, 1e-12);
 }
 
 } // namespace plash
