@@ -10,7 +10,7 @@ struct DensityDiffusion {
     Vec3 gravity{};      ///< acceleration that the fluid at rest is stratified by [length/time^2]
     const PushRecord* push = nullptr;    ///< by sorted place
     const std::uint8_t* part = nullptr;  ///< by sorted place; density does not diffuse across parts,
-    const std::uint8_t* image = nullptr; ///< nor from images: a mirror shows water at rest upside down
+    const std::uint8_t* image = nullptr; ///< nor from mirrors, which show water at rest upside down
     bool volume_weighted = false;
 };
 
@@ -137,7 +137,8 @@ private:
         Lane same{};
         for (int l = 0; l < lanes_in<Lane>; ++l) {
             const Index place = first + places[l];
-            set_lane(same, l, diffusion_.part[place] == part_ && !diffusion_.image[place] ? 1.0 : 0.0);
+            const bool mirrored = diffusion_.image[place] == mirror_image;
+            set_lane(same, l, diffusion_.part[place] == part_ && !mirrored ? 1.0 : 0.0);
         }
         return same * (2 * diffusion_.strength) * smoothing * sound * slope *
                (fluid.density - own_fluid_.density - at_rest);

@@ -137,6 +137,8 @@ void Images::settle(ParticleArrays& arrays)
     for (std::size_t k = 0; k < images_.size(); ++k) {
         source_place_[k] = place[images_[k].source];
         arrays.part[place_[k]] = arrays.part[source_place_[k]];
+        const bool shifted = same(transforms_[images_[k].transform].turn, Matrix3::identity());
+        arrays.image[place_[k]] = shifted ? periodic_image : mirror_image;
     }
 }
 

@@ -53,7 +53,8 @@ public:
     std::size_t size() const { return images_.size(); }
     void serialise(Archive& archive) { archive(periods_, transforms_, images_, place_, source_place_); }
 
-    /// After sorting: finds where images and their sources stand, and gives images the part of their source.
+    /// After sorting: finds where images and their sources stand, and gives images their kind and the part of
+    /// their source.
     void settle(ParticleArrays& arrays);
     /// Copies skins from sources to images.
     void copy_skins(ParticleArrays& arrays) const;

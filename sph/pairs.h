@@ -5,9 +5,13 @@
 #include "sph/kernels.h"
 #include "sph/neighbours.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace plash {
+
+/// Which copy of a particle stands at a place. A corner of a mirror and a periodic plane counts as mirrored.
+enum ImageKind : std::uint8_t { no_image = 0, mirror_image = 1, periodic_image = 2 };
 
 /// What every pair loop needs of a particle: one cache line, by sorted place.
 struct alignas(64) MotionRecord {

@@ -21,7 +21,7 @@ struct ParticleArrays {
     std::vector<Index> node;          ///< index in the State; none for images
     std::vector<Index> element;       ///< place in Model::particles, for results; none: in none
     std::vector<std::uint8_t> part;   ///< part of the body, not of the Model
-    std::vector<std::uint8_t> image;  ///< 1: an image
+    std::vector<std::uint8_t> image;  ///< an ImageKind; 0: none
     std::vector<std::uint8_t> asleep; ///< 1: outside of the active regions
     std::vector<double> mass;         ///< [mass]
     std::vector<double> density;      ///< [mass/volume]
