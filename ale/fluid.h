@@ -51,7 +51,7 @@ public:
     FluidFields fields;
     std::vector<HeldNode> held;
     std::vector<NodeForceFromOutside> outside_forces; ///< of the coming step; the owner fills and clears it
-    std::vector<NodeForceFromOutside> loads; ///< likewise, but on the fluid alone, over its own step
+    std::vector<NodeForceFromOutside> loads;          ///< likewise, but on the fluid alone, over its own step
 
     virtual ~Fluid() = default;
     Fluid(Fluid&&) = default;
