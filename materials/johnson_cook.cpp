@@ -59,7 +59,9 @@ JohnsonCook JohnsonCook::from_record(const Record& record, const Model&)
     if (cutoff < 0) {
         // The spall models differ from the pressure limit only once a point has spalled.
         if (record.real("SPALL", 2) != 1)
-            reject_field(record, "SPALL", "only the pressure limit (1) is supported together with PC");
+            reject_field(record, "SPALL",
+                         fmt::format("spall model {} is not supported together with PC (1: pressure limit)",
+                                     record.integer("SPALL", 2)));
         law.lowest_pressure = cutoff;
     }
     return law;
