@@ -84,8 +84,7 @@ void Fluid::advance(double step, double impulse_step)
     const OutsideWork by_loads = push_nodes(fields, loads, step, step, gravity);
     const OutsideWork outside = apply_outside(fields, outside_forces, held, step, impulse_step, gravity);
     energies_.outside_work += gravity_work + outside.gravity + outside.driving;
-    if (!loads.empty())
-        energies_.outside_work += by_loads.gravity + work_of_forces(fields, loads, step);
+    if (!loads.empty()) energies_.outside_work += by_loads.gravity + work_of_forces(fields, loads, step);
     energies_.coupling_work += outside.forces;
     deform(step);
     if (outside_pressure != 0) energies_.outside_work += work_on_sides();

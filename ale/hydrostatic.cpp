@@ -122,7 +122,8 @@ Still still_of(const Model& model, const Record& record, const DeckGroups& group
                             fmt::format("*{}, field MMGBLO: there is no group {}; the deck has 1 to {}",
                                         record.keyword, group, groups.groups.size()));
         if (groups.groups[group - 1].fluid == none) continue; // empty space weighs nothing
-        const double level = model.nodes.position[node - model.nodes.id.begin()].*vector_component[still.axis];
+        const double level =
+            model.nodes.position[node - model.nodes.id.begin()].*vector_component[still.axis];
         if (still.layers.empty()) still.surface = level;
         still.layers.push_back({still.depth(level), static_cast<int>(group) - 1});
     }

@@ -193,8 +193,8 @@ private:
 };
 
 template <bool second_order>
-void sweep_momentum(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents, RemapScratch& scratch,
-           int axis)
+void sweep_momentum(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents,
+                    RemapScratch& scratch, int axis)
 {
     MomentumSweep<second_order> nodes(grid, fields, contents, scratch, axis);
     if (axis == 0) {

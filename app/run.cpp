@@ -204,8 +204,6 @@ int run_deck(const RunArguments& arguments)
         for (const std::string& line : term->notices(scene->state)) log.say(fmt::format("  {}", line));
     }
 
-    if (const Term* term = not_restartable(*scene))
-        log.say(fmt::format("  no restart files: {} cannot be saved yet", term->name()));
     Recorders recorders =
         make_recorders(model, directory, {.vtk = arguments.vtk, .resume = !restart_from.empty()});
     const double end_time = std::min(arguments.until, model.controls.time.end_time);

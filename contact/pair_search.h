@@ -11,7 +11,8 @@ namespace plash {
 struct PairList {
     std::vector<Index> node;  ///< of each pair, rising
     std::vector<Index> facet; ///< of each pair, rising for each node
-    /// Path (see ContactMotion::travelled) before which the pair cannot touch [length]; kept by the TouchFinder.
+    /// Path (see ContactMotion::travelled) before which the pair cannot touch [length]; kept by the
+    /// TouchFinder.
     std::vector<double> due;
 
     void serialise(Archive& archive) { archive(node, facet, due); }

@@ -63,7 +63,8 @@ struct TouchList {
 /// outward: a node inside counts only if it touched before or came from outside in this step.
 class TouchFinder {
 public:
-    TouchFinder(const ContactMesh& mesh, const ContactMotion& motion, const TouchList& before, bool square_edges)
+    TouchFinder(const ContactMesh& mesh, const ContactMotion& motion, const TouchList& before,
+                bool square_edges)
         : mesh_(mesh), motion_(motion), before_(before), square_edges_(square_edges)
     {}
 

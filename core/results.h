@@ -148,8 +148,8 @@ struct ElementResults {
         Vec3 angle{}, angular_velocity{}, angular_acceleration{}; ///< angle: integral of the angular velocity
         std::array<Vec3, 3> axes{};
     };
-    double rigid_mass = 0;   ///< of all rigid bodies, whose nodes have no mass in the State [mass]
-    Vec3 rigid_momentum{};   ///< of these [momentum]
+    double rigid_mass = 0;             ///< of all rigid bodies, whose nodes have no mass in the State [mass]
+    Vec3 rigid_momentum{};             ///< of these [momentum]
     bool rigid_motions_wanted = false; ///< the two lists below are filled only then
     std::vector<RigidMotion> rigid_bodies;
 

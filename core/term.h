@@ -69,9 +69,6 @@ public:
     /// deck, so whatever the constructor makes need not be saved. Default: nothing.
     virtual void serialise(Archive&) {}
 
-    /// False for a term that cannot be saved yet: runs with it write no restart files, and say so.
-    virtual bool restartable() const { return true; }
-
     /// Fills the arrays that the recorder has sized.
     virtual void collect(const State&, ElementResults&) const {}
 };

@@ -7,13 +7,6 @@
 /// yield stress and back stress grow linearly.
 namespace plash {
 
-/// Equivalent (von Mises) stress of a deviator.
-template <class Lane>
-inline Lane equivalent_stress(const SymmetricTensor<Lane>& deviator)
-{
-    return sqrt(1.5 * contract(deviator, deviator));
-}
-
 /// Hooke's law: adds the stress of a strain increment.
 template <class Lane>
 inline void add_elastic_stress(SymmetricTensor<Lane>& stress, const SymmetricTensor<Lane>& increment,

@@ -40,8 +40,7 @@ NodalMotion::NodalMotion(const Snapshot& snapshot, bool rotations)
     angular_acceleration_ = std::move(results.angular_acceleration);
 }
 
-Vec3 global_velocity(const Snapshot& snapshot, const NodalMotion& motion,
-                     const ElementResults& results)
+Vec3 global_velocity(const Snapshot& snapshot, const NodalMotion& motion, const ElementResults& results)
 {
     const std::vector<double>& mass = snapshot.state.mass;
     double total_mass = 0;

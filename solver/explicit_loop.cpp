@@ -133,8 +133,7 @@ Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
     const RunParts parts{scene, step_control, terminations, outcome, recorders};
     const bool restarted = !options.restart_from.empty();
     const int last_dump = restarted ? load_run(options.restart_from, parts) : 0;
-    RestartFiles restart_files(not_restartable(scene) ? RestartOptions{} : options.restart,
-                               scene.model.controls.output.restart, last_dump);
+    RestartFiles restart_files(options.restart, scene.model.controls.output.restart, last_dump);
     SenseSwitches switches(options.restart.directory, options.stop_requested);
     const double wall_before = outcome.wall_seconds;
     const auto snapshot = [&] {

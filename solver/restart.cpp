@@ -51,18 +51,8 @@ void serialise_run(Archive& archive, const RunParts& run, int& last_dump)
 
 } // namespace
 
-const Term* not_restartable(const Scene& scene)
-{
-    for (const auto& term : scene.terms) {
-        if (!term->restartable()) return term.get();
-    }
-    return nullptr;
-}
-
 int load_run(const std::string& path, const RunParts& run)
 {
-    if (const Term* term = not_restartable(run.scene))
-        throw RunError(fmt::format("the deck has {}, which cannot be restarted yet", term->name()));
     Archive archive(path, Archive::Mode::load);
     int last_dump = 0;
     serialise_run(archive, run, last_dump);

@@ -18,9 +18,6 @@ struct RunParts {
     Recorders& recorders;
 };
 
-/// A term that cannot be saved yet; null when a run of this scene can be gone on with.
-const Term* not_restartable(const Scene& scene);
-
 /// Brings a run that has just been set up from the same deck to where the restart file was written: between
 /// two cycles, positions at n and velocities at n - 1/2. RunError when the file does not fit; result files
 /// are cut back only when the file has been found whole. Returns the number of the last d3dump file that was

@@ -84,9 +84,10 @@ TEST(BoxCrush, TubeOf1280ShellsFoldsAsThePeersDo)
     EXPECT_NEAR(found.force / stiff.force, 1, 0.15);
 }
 
-/// The peer's Belytschko-Tsay quad has hourglass coefficients of 0.01 and does not read those of the deck (0.1 of
-/// type 4, of which 10 % of the absorbed energy is hourglass energy and the mean force 53.1 kN instead of 45.4).
-/// With 0.01 the forces are comparable; without hourglass modes at all (ELFORM 16) it is 44.3 kN.
+/// The peer's Belytschko-Tsay quad has hourglass coefficients of 0.01 and does not read those of the deck
+/// (0.1 of type 4, of which 10 % of the absorbed energy is hourglass energy and the mean force 53.1 kN
+/// instead of 45.4). With 0.01 the forces are comparable; without hourglass modes at all (ELFORM 16) it
+/// is 44.3 kN.
 TEST(BoxCrush, MeanForceOfThePeersSofterShellWithItsHourglassControl)
 {
     const auto deck = testing::shared_file("decks/peer_runs/box_crush_1280.k");

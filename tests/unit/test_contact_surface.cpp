@@ -158,8 +158,9 @@ TEST(ContactSurface, ShortSidesLimitTheThicknessAroundTheirNodes)
     const Index part = mesh.add_part(1, 210, 1.0);
     // A row of three shells, 1, 4 and 4 long, all 4 wide.
     const double place[] = {0, 1, 5, 9};
-    mesh.add_sheet(part, 3, 1,
-                   [&](double u, double v) { return Vec3{place[static_cast<int>(3 * u + 0.5)], 4 * v, 0}; });
+    mesh.add_sheet(part, 3, 1, [&](double u, double v) {
+        return Vec3{place[static_cast<int>(3 * u + 0.5)], 4 * v, 0};
+    });
     SurfaceOptions options;
     options.limit_thickness = true;
     const Surface surface = surface_of_all(mesh.model, options);

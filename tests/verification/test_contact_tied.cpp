@@ -15,7 +15,8 @@ using testing::Momenta;
 DeckText two_blocks(const std::string& contact, double gap)
 {
     DeckText deck;
-    // Hourglass type 1 acts on plain base vectors, which turn an element that is no parallelepiped; 2 does not.
+    // Hourglass type 1 acts on plain base vectors, which turn an element that is no parallelepiped; 2 does
+    // not.
     deck.text += "*CONTROL_TERMINATION\n30.0\n*CONTROL_TIMESTEP\n0.0,0.6\n*CONTROL_HOURGLASS\n2\n"
                  "*SECTION_SOLID\n1,1\n"
                  "*MAT_ELASTIC\n1,1.0,100.0,0.3\n";

@@ -99,8 +99,8 @@ TEST(SolidStability, BlocksThatHoldTogetherKeepTheStepOfAWave)
 
 TEST(SolidStability, FullyIntegratedPlatesCountTheViscosityOverTheirHeightAtRest)
 {
-    // LS-DYNA: L / (c (Q2 + sqrt(Q2^2 + 1))) with L = volume / largest face; of the flange of its preloaded bolt,
-    // 3 x 3 x 1.5, to the last digit.
+    // LS-DYNA: L / (c (Q2 + sqrt(Q2^2 + 1))) with L = volume / largest face; of the flange of its preloaded
+    // bolt, 3 x 3 x 1.5, to the last digit.
     SolidBlock plate({6, 6, 2}, {18, 18, 3}, steel(0.3));
     plate.model.sections[0].fields[0].value = -1;
     State state = plate.state();
