@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/measures.h"
 #include "model/model.h"
 
 namespace plash {
@@ -24,10 +25,5 @@ std::vector<PartData> part_data(const Model& model);
 /// Mass of each node from density and volume of its elements (solids, shells, beams) [mass]. The State's
 /// masses cannot serve for nodes of rigid bodies, whose mass the body carries.
 std::vector<double> lumped_masses(const Model& model, const std::vector<PartData>& parts);
-
-/// Volume of a hexahedron or one of its degenerate forms (Grandy 1997, sum of tetrahedra) [length^3].
-double solid_volume(const std::array<Index, 8>& nodes, const std::vector<Vec3>& position);
-/// Area of a quadrilateral or triangle [length^2].
-double segment_area(const std::array<Index, 4>& nodes, const std::vector<Vec3>& position);
 
 } // namespace plash

@@ -26,9 +26,12 @@ double mass_of(const State& state, Index node, int freedom)
 
 } // namespace
 
-LinearConstraints::LinearConstraints(const Model& model, const State& state)
+LinearConstraints::LinearConstraints(const Model& model, const State& state,
+                                     std::vector<const Term*> elements)
+    : tied_(model, state, std::move(elements))
 {
     read(model);
+    read_tied(state);
     mark_driven(model);
     for (const Condition& condition : conditions_) {
         for (const Part& part : condition.parts) {
@@ -93,6 +96,62 @@ void LinearConstraints::read(const Model& model)
             }
         }
     });
+}
+
+/// Chains of equal freedoms through the nodes of each group; rotations for those nodes that have them.
+void LinearConstraints::read_tied(const State& state)
+{
+    for (const TiedNodeGroups::Group& group : tied_.groups()) {
+        auto& of_group = tied_conditions_.emplace_back();
+        for (int freedom = 0; freedom < (state.rotational() ? 6 : 3); ++freedom) {
+            Index last = none;
+            for (const Index node : group.nodes) {
+                if (freedom >= 3 && !(mass_of(state, node, freedom) > 0)) continue;
+                if (last != none) {
+                    of_group[freedom].push_back(conditions_.size());
+                    conditions_.push_back(
+                        {{{last, freedom, -1, false}, {node, freedom, 1, false}}, forever, group.where, 0});
+                }
+                last = node;
+            }
+        }
+    }
+}
+
+/// The chains of the groups that lose nodes close over the gaps; conditions that are left over end.
+void LinearConstraints::let_go_of_tied_nodes(const State& state)
+{
+    std::set<std::size_t> touched;
+    for (const std::size_t number : tied_.let_go(state)) {
+        const std::vector<Index>& left = tied_.groups()[number].nodes;
+        for (const auto& chain : tied_conditions_[number]) {
+            std::vector<Part> kept;
+            const auto keep = [&](const Part& part) {
+                if (std::find(left.begin(), left.end(), part.node) != left.end()) kept.push_back(part);
+            };
+            for (const std::size_t i : chain) {
+                if (conditions_[i].end < forever) break; // ended before
+                if (i == chain.front()) keep(conditions_[i].parts[0]);
+                keep(conditions_[i].parts[1]);
+            }
+            for (std::size_t link = 0; link < chain.size(); ++link) {
+                Condition& condition = conditions_[chain[link]];
+                touched.insert(chain[link]);
+                if (link + 1 < kept.size()) {
+                    condition.parts = {kept[link], kept[link + 1]};
+                    condition.parts[0].coefficient = -1;
+                } else {
+                    condition.end = -1;
+                }
+            }
+        }
+    }
+    if (touched.empty()) return;
+    for (Group& group : groups_) {
+        if (std::any_of(group.conditions.begin(), group.conditions.end(),
+                        [&](std::size_t i) { return touched.contains(i); }))
+            group.end = -1;
+    }
 }
 
 /// Freedoms along global axes that a motion drives or a support holds.
@@ -221,6 +280,7 @@ void LinearConstraints::start(State& state)
 void LinearConstraints::constrain(const Clock& clock, State& state)
 {
     if (!started_) start(state);
+    if (!tied_.groups().empty()) let_go_of_tied_nodes(state);
     const double velocity_step = clock.velocity_step();
     double power_before = 0, power_after = 0;
     std::vector<double>& values = values_;
@@ -275,9 +335,10 @@ void LinearConstraints::collect(const State&, ElementResults& results) const
     }
 }
 
-std::unique_ptr<LinearConstraints> make_linear_constraints(const Model& model, const State& state)
+std::unique_ptr<LinearConstraints> make_linear_constraints(const Model& model, const State& state,
+                                                           std::vector<const Term*> elements)
 {
-    auto constraints = std::make_unique<LinearConstraints>(model, state);
+    auto constraints = std::make_unique<LinearConstraints>(model, state, std::move(elements));
     return constraints->empty() ? nullptr : std::move(constraints);
 }
 

@@ -114,6 +114,8 @@ Scene make_scene(const Model& model)
     state.mass.resize(state.size());
     for (auto& group : make_shell_groups(model, state)) scene.terms.push_back(std::move(group));
     for (auto& group : make_solid_groups(model, state)) scene.terms.push_back(std::move(group));
+    std::vector<const Term*> elements; // that know plastic strains
+    for (const auto& term : scene.terms) elements.push_back(term.get());
     for (auto& group : make_beam_groups(model, state)) scene.terms.push_back(std::move(group));
     if (auto springs = make_springs(model, state)) scene.terms.push_back(std::move(springs));
     for (auto& body : make_particle_bodies(model, state)) scene.terms.push_back(std::move(body));
@@ -135,7 +137,7 @@ Scene make_scene(const Model& model)
         scene.terms.push_back(std::make_unique<RigidBodies>(model, std::move(bodies), state));
     if (!tied->empty())
         scene.terms.push_back(std::make_unique<TiedMotion>(tied)); // after all that moves corners
-    if (auto constraints = make_linear_constraints(model, state))
+    if (auto constraints = make_linear_constraints(model, state, std::move(elements)))
         scene.terms.push_back(std::move(constraints));
     if (interpolated_motion) scene.terms.push_back(std::move(interpolated_motion));
     return scene;

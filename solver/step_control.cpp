@@ -25,7 +25,14 @@ void StepControl::choose(Clock& clock, const std::vector<std::unique_ptr<Term>>&
         step = std::min(step, model_.curves[control.largest_step_curve].curve(clock.time));
     }
     if (clock.cycle == 0 && control.initial_step > 0) step = std::min(step, control.initial_step);
-    if (!std::isfinite(step)) step = control.end_time > 0 ? control.end_time / 1000 : 0;
+    if (!std::isfinite(step)) {
+        if (!(control.end_time > 0)) {
+            throw RunError("nothing limits the step (all bodies are rigid or free) and the deck names no end "
+                           "time: give ENDTIM of *CONTROL_TERMINATION, a thousandth of which is the step "
+                           "then, or a curve of steps as LCTM of *CONTROL_TIMESTEP");
+        }
+        step = control.end_time / 1000;
+    }
     if (!(step > 0)) {
         throw RunError(fmt::format("the stable step is {} ({} {} of part {})", owner_.step, owner_.kind,
                                    owner_.element, owner_.part));

@@ -1,5 +1,7 @@
 #include "solver/step_control.h"
 
+#include "core/run_error.h"
+
 #include <gtest/gtest.h>
 
 namespace plash {
@@ -43,6 +45,25 @@ TEST(StepControl, FallsAtOnceAndRisesSlowly)
     for (int i = 0; i < 500; ++i) next(1.0);
     EXPECT_NEAR(clock.step, 0.9, 1e-4);
     EXPECT_EQ(control.first_step(), 0.9);
+}
+
+/// Nothing but rigid bodies: a thousandth of the run, or a word that names the way out.
+TEST(StepControl, WithoutVotesTheEndTimeGivesTheStep)
+{
+    Model model;
+    model.controls.time.step_scale = 0.9;
+    model.controls.time.end_time = 2;
+    const std::vector<std::unique_ptr<Term>> no_terms;
+    Clock clock;
+    StepControl(model).choose(clock, no_terms);
+    EXPECT_DOUBLE_EQ(clock.step, 2e-3);
+    model.controls.time.end_time = 0;
+    try {
+        StepControl(model).choose(clock, no_terms);
+        FAIL() << "no error";
+    } catch (const RunError& error) {
+        EXPECT_NE(std::string(error.what()).find("ENDTIM of *CONTROL_TERMINATION"), std::string::npos);
+    }
 }
 
 } // namespace plash
