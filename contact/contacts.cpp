@@ -86,16 +86,17 @@ std::vector<std::unique_ptr<Term>> make_contacts(const Model& model)
             if (auto tied = make_tied(contact, model, parts)) terms.push_back(std::move(tied));
             break;
         default: {
-            const bool with_edges = contact.kind == Contact::Kind::general;
             auto term = std::make_unique<SurfaceContact>(contact, model, parts);
-            if (!with_edges || !term->mesh().facets.empty()) {
+            const bool general = contact.kind == Contact::Kind::general; // may have beams alone
+            const bool segments = !general || !term->mesh().facets.empty();
+            if (segments) {
                 check(*term, model);
                 contacts.push_back(term.get());
                 terms.push_back(std::move(term));
             }
-            if (!with_edges) break;
+            if (!contact.edges) break;
             auto edges = std::make_unique<EdgeContact>(contact, model, parts);
-            if (edges->edges().empty() && terms.empty()) {
+            if (edges->edges().empty() && !segments) {
                 throw DeckError(contact.where,
                                 fmt::format("*{} {}: its parts have neither segments nor edges",
                                             contact.keyword, contact.id));

@@ -46,78 +46,116 @@ bool ContactEdge::there(const State& state) const
     return alive == 1 || (inner && alive == 2);
 }
 
-std::vector<ContactEdge> contact_edges(const Model& model, const std::vector<PartData>& parts,
-                                       const Contact& contact)
-{
-    using Kind = ContactSide::Kind;
-    const ContactSide& side = contact.slave;
-    std::vector<bool> wanted(model.parts.size(), side.kind == Kind::all);
-    for (Index part : side.parts) wanted[part] = true;
-    const auto part_contact = [&](Index part) {
+namespace {
+
+/// Collects the edges of the sides of a contact, those of shells by their ends.
+struct EdgeCollector {
+    const Model& model;
+    const std::vector<PartData>& parts;
+    const Contact& contact;
+    std::vector<ContactEdge> edges{};
+    std::map<std::array<Index, 2>, ContactEdge> shell_sides{};
+
+    const Vec3& place(Index node) const { return model.nodes.position[node]; }
+    PartContact part_contact(Index part) const
+    {
         const auto found = model.part_contacts.find(part);
         return found == model.part_contacts.end() ? PartContact{} : found->second;
-    };
-    const auto inside = [&](std::array<Index, 2> node) {
-        return !side.box || (side.box->holds(model.nodes.position[node[0]]) &&
-                             side.box->holds(model.nodes.position[node[1]]));
-    };
-    std::vector<ContactEdge> edges;
-    for (std::size_t i = 0; i < model.beams.size(); ++i) {
-        const Index beam = static_cast<Index>(i), part = model.beams.part[i];
-        if (!wanted[part] || (parts[part].spot_weld && !contact.spot_weld_beams)) continue;
-        const auto& nodes = model.beams.nodes[i];
-        ContactEdge edge;
-        edge.node = {std::min(nodes[0], nodes[1]), std::max(nodes[0], nodes[1])};
-        if (!inside(edge.node)) continue;
-        edge.beam = beam;
-        edge.part = part;
-        const PartContact own = part_contact(part);
-        edge.radius = own.thickness > 0 ? 0.5 * own.thickness : own.thickness_scale * parts[part].beam_radius;
-        const double length = norm(model.nodes.position[nodes[1]] - model.nodes.position[nodes[0]]);
-        if (length > 0) {
-            edge.stiffness = side.stiffness_scale * own.stiffness_scale * parts[part].bulk_modulus *
-                             parts[part].beam_area / length;
-        }
-        edges.push_back(edge);
     }
-    std::vector<Index> shells = side.shells;
-    if (side.kind != Kind::shells) {
-        shells.clear();
-        for (std::size_t i = 0; i < model.shells.size(); ++i) {
-            if (wanted[model.shells.part[i]]) shells.push_back(static_cast<Index>(i));
+    bool inside(const ContactSide& side, std::array<Index, 2> node) const
+    {
+        return !side.box || (side.box->holds(place(node[0])) && side.box->holds(place(node[1])));
+    }
+    std::vector<bool> wanted_parts(const ContactSide& side) const
+    {
+        std::vector<bool> wanted(model.parts.size(), side.kind == ContactSide::Kind::all);
+        for (Index part : side.parts) wanted[part] = true;
+        return wanted;
+    }
+
+    void add_beams(const ContactSide& side, std::uint8_t bit)
+    {
+        const std::vector<bool> wanted = wanted_parts(side);
+        for (std::size_t i = 0; i < model.beams.size(); ++i) {
+            const Index beam = static_cast<Index>(i), part = model.beams.part[i];
+            if (!wanted[part] || (parts[part].spot_weld && !contact.spot_weld_beams)) continue;
+            const auto& nodes = model.beams.nodes[i];
+            ContactEdge edge;
+            edge.node = {std::min(nodes[0], nodes[1]), std::max(nodes[0], nodes[1])};
+            if (!inside(side, edge.node)) continue;
+            edge.beam = beam;
+            edge.part = part;
+            edge.sides = bit;
+            const PartContact own = part_contact(part);
+            edge.radius =
+                own.thickness > 0 ? 0.5 * own.thickness : own.thickness_scale * parts[part].beam_radius;
+            const double length = norm(place(nodes[1]) - place(nodes[0]));
+            if (length > 0) {
+                edge.stiffness = side.stiffness_scale * own.stiffness_scale * parts[part].bulk_modulus *
+                                 parts[part].beam_area / length;
+            }
+            edges.push_back(edge);
         }
     }
-    std::map<std::array<Index, 2>, ContactEdge> sides;
-    for (Index shell : shells) {
+
+    void add_shells(const ContactSide& side, std::uint8_t bit)
+    {
+        std::vector<Index> shells = side.shells;
+        if (side.kind != ContactSide::Kind::shells) {
+            const std::vector<bool> wanted = wanted_parts(side);
+            shells.clear();
+            for (std::size_t i = 0; i < model.shells.size(); ++i)
+                if (wanted[model.shells.part[i]]) shells.push_back(static_cast<Index>(i));
+        }
+        for (Index shell : shells) add_shell(side, bit, shell);
+    }
+
+    void add_shell(const ContactSide& side, std::uint8_t bit, Index shell)
+    {
         const auto& nodes = model.shells.nodes[shell];
         const Index part = model.shells.part[shell];
         const PartContact own = part_contact(part);
         const int corners = nodes[3] == nodes[2] ? 3 : 4;
         const double area = segment_area(nodes, model.nodes.position);
         const double longest =
-            std::max(norm(model.nodes.position[nodes[2]] - model.nodes.position[nodes[0]]),
-                     norm(model.nodes.position[nodes[3]] - model.nodes.position[nodes[1]]));
+            std::max(norm(place(nodes[2]) - place(nodes[0])), norm(place(nodes[3]) - place(nodes[1])));
         for (int i = 0; i < corners; ++i) {
             const Index from = nodes[i], to = nodes[(i + 1) % corners];
             const std::array<Index, 2> key{std::min(from, to), std::max(from, to)};
-            if (!inside(key)) continue;
-            ContactEdge& edge = sides[key];
-            (edge.shell[0] == none ? edge.shell[0] : edge.shell[1]) = shell;
+            if (!inside(side, key)) continue;
+            ContactEdge& edge = shell_sides[key];
+            if (edge.shell[0] == none) {
+                edge.shell[0] = shell;
+            } else if (edge.shell[0] != shell) {
+                edge.shell[1] = shell;
+            }
             edge.node = key;
             edge.part = part;
+            edge.sides |= bit;
             edge.inner = contact.inner_edges;
             double thickness = own.thickness > 0 ? own.thickness
                                                  : own.thickness_scale * shell_thickness(model, parts, shell);
             if (side.thickness > 0 && own.thickness == 0) thickness = side.thickness;
-            const double length = norm(model.nodes.position[to] - model.nodes.position[from]);
+            const double length = norm(place(to) - place(from));
             if (contact.limit_thickness) thickness = std::min(thickness, 0.4 * length);
             edge.radius = std::max(edge.radius, 0.5 * thickness);
             const double scale = side.stiffness_scale * own.stiffness_scale;
             edge.stiffness = std::max(edge.stiffness, scale * parts[part].bulk_modulus * area / longest);
         }
     }
-    for (auto& [key, edge] : sides) edges.push_back(edge);
-    return edges;
+};
+
+} // namespace
+
+std::vector<ContactEdge> contact_edges(const Model& model, const std::vector<PartData>& parts,
+                                       const Contact& contact)
+{
+    EdgeCollector collector{model, parts, contact};
+    if (contact.kind == Contact::Kind::general) collector.add_beams(contact.slave, slave_bit);
+    collector.add_shells(contact.slave, slave_bit);
+    if (contact.kind == Contact::Kind::two_way) collector.add_shells(contact.master, master_bit);
+    for (const auto& [key, edge] : collector.shell_sides) collector.edges.push_back(edge);
+    return std::move(collector.edges);
 }
 
 EdgePoints closest_points(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1)
@@ -187,20 +225,34 @@ void EdgeContact::take_masses(const State& state)
 /// Pairs hold until two nodes may have come closer by the margin, this step included.
 bool EdgeContact::pairs_hold(const Clock& clock, const State& state) const
 {
-    if (searched_at_.size() != nodes_.size() || state.deletions != deletions_seen_) return false;
+    if (searched_at_.empty() || state.deletions != deletions_seen_) return false;
     Bounds moved, speed;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        moved.add(state.position[nodes_[i]] - searched_at_[i]);
-        speed.add(state.velocity[nodes_[i]]);
+    for (std::size_t i = 0; i < acting_.size(); ++i) {
+        const Index node = nodes_[acting_[i]];
+        moved.add(state.position[node] - searched_at_[i]);
+        speed.add(state.velocity[node]);
     }
     return norm(moved.high - moved.low) + clock.last_step * norm(speed.high - speed.low) < margin_;
+}
+
+bool EdgeContact::may_meet(const ContactEdge& a, const ContactEdge& b) const
+{
+    if (contact_.exclude_same_part_beams && a.beam != none && b.beam != none && a.part == b.part)
+        return false;
+    if (contact_.kind == Contact::Kind::two_way && (a.sides | b.sides) != (slave_bit | master_bit))
+        return false;
+    for (Index node : a.node)
+        if (node == b.node[0] || node == b.node[1]) return false;
+    for (Index shell : a.shell) // sides of one shell
+        if (shell != none && (shell == b.shell[0] || shell == b.shell[1])) return false;
+    return true;
 }
 
 void EdgeContact::search(const State& state)
 {
     deletions_seen_ = state.deletions;
+    acting_.clear();
     searched_at_.clear();
-    for (Index node : nodes_) searched_at_.push_back(state.position[node]);
     std::vector<Bounds> boxes(edges_.size());
     std::vector<bool> there(edges_.size());
     for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -208,7 +260,11 @@ void EdgeContact::search(const State& state)
         if (!there[i]) continue;
         for (Index node : edges_[i].node) boxes[i].add(state.position[node]);
         boxes[i].grow(edges_[i].radius + 0.5 * margin_);
+        acting_.insert(acting_.end(), ends_[i].begin(), ends_[i].end());
     }
+    std::sort(acting_.begin(), acting_.end());
+    acting_.erase(std::unique(acting_.begin(), acting_.end()), acting_.end());
+    for (Index place : acting_) searched_at_.push_back(state.position[nodes_[place]]);
     BoundingTree tree;
     tree.fit(boxes);
     pairs_.clear();
@@ -218,16 +274,7 @@ void EdgeContact::search(const State& state)
         const ContactEdge& a = edges_[i];
         tree.query(boxes[i], [&](Index second) {
             if (second <= first) return;
-            const ContactEdge& b = edges_[second];
-            if (contact_.exclude_same_part_beams && a.beam != none && b.beam != none && a.part == b.part)
-                return;
-            for (Index node : a.node) {
-                if (node == b.node[0] || node == b.node[1]) return;
-            }
-            for (Index shell : a.shell) { // sides of one shell
-                if (shell != none && (shell == b.shell[0] || shell == b.shell[1])) return;
-            }
-            pairs_.push_back({first, second});
+            if (may_meet(a, edges_[second])) pairs_.push_back({first, second});
         });
     }
     std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
@@ -471,12 +518,12 @@ void EdgeContact::sum_up(const Clock& clock, State& state)
 
 void EdgeContact::serialise(Archive& archive)
 {
-    archive(mass_, pairs_, searched_at_, now_, force_now_, energy_, friction_energy_, soft_step_,
+    archive(mass_, pairs_, acting_, searched_at_, now_, force_now_, energy_, friction_energy_, soft_step_,
             deletions_seen_);
     if (archive.loading() && !mass_.empty()) lumped_ = {};
 }
 
-void EdgeContact::collect(const State&, ElementResults& results) const
+void EdgeContact::collect(const State& state, ElementResults& results) const
 {
     auto entry = std::find_if(results.contacts.begin(), results.contacts.end(),
                               [&](const auto& other) { return other.contact == contact_.id; });
@@ -487,6 +534,18 @@ void EdgeContact::collect(const State&, ElementResults& results) const
     }
     entry->slave_energy += energy_;
     entry->friction_energy += friction_energy_;
+    if (contact_.kind == Contact::Kind::two_way) {
+        for (const EdgeTouch& touch : now_) {
+            const auto& node = edges_[touch.first].node;
+            const Vec3 place = (1 - touch.s) * state.position[node[0]] + touch.s * state.position[node[1]];
+            const Vec3 on_slave = (edges_[touch.first].sides & slave_bit) != 0 ? touch.force : -touch.force;
+            const Vec3 moment = cross(place, on_slave);
+            entry->slave_force += on_slave;
+            entry->master_force -= on_slave;
+            entry->slave_moment += moment;
+            entry->master_moment -= moment;
+        }
+    }
     if (results.contact_force.empty() || now_.empty()) return;
     for (std::size_t i = 0; i < nodes_.size(); ++i) results.contact_force[nodes_[i]] += force_now_[i];
 }

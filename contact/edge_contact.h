@@ -1,7 +1,7 @@
 #pragma once
 
+#include "contact/contact_mesh.h"
 #include "contact/penalty_law.h"
-#include "contact/surface.h"
 #include "core/term.h"
 #include "model/model.h"
 
@@ -15,16 +15,17 @@ struct ContactEdge {
     std::array<Index, 2> shell{none, none}; ///< shells beside it; none for beams
     Index beam = none;
     Index part = none;
-    double radius = 0;    ///< half the contact thickness [length]
-    double stiffness = 0; ///< unscaled [force/length]
-    bool inner = false;   ///< acts also between two living shells (_INTERIOR)
+    std::uint8_t sides = 0; ///< slave_bit, master_bit: which sides of the contact the edge is of
+    double radius = 0;      ///< half the contact thickness [length]
+    double stiffness = 0;   ///< unscaled [force/length]
+    bool inner = false;     ///< acts also between two living shells (_INTERIOR)
 
     /// Whether the edge acts now: a beam; a side of a shell without a neighbour, or any with _INTERIOR.
     bool there(const State& state) const;
 };
 
-/// Edges of one side of *CONTACT_AUTOMATIC_GENERAL. Spot-weld beams (ELFORM 9) only where CPARM8 = 2 asks for
-/// them, as in LS-DYNA.
+/// Edges of a contact: sides of shells, and in general contact beams, spot-weld beams (ELFORM 9) only where
+/// CPARM8 = 2 asks for them, as in LS-DYNA. Shells without thickness of their own and solids have none.
 std::vector<ContactEdge> contact_edges(const Model& model, const std::vector<PartData>& parts,
                                        const Contact& contact);
 
@@ -47,7 +48,8 @@ struct EdgeTouch {
 };
 
 /// Penalty contact of edges on edges: beams against beams, against the free sides of shells, and these
-/// against one another. Beside the contact of nodes with segments it makes *CONTACT_AUTOMATIC_GENERAL.
+/// against one another. Beside the contact of nodes with segments it makes *CONTACT_AUTOMATIC_GENERAL, and
+/// what SOFT = 2 sees at edges (DEPTH 3, 5); of two surfaces, edges of one touch those of the other.
 /// Stiffness, friction, damping and the bookkeeping of energy are those of SurfaceContact.
 class EdgeContact : public Term {
 public:
@@ -78,8 +80,9 @@ private:
     std::vector<double> mass_;                ///< by place in `nodes_`
     std::vector<bool> rigid_;                 ///< likewise
     std::vector<double> lumped_;
-    std::vector<Pair> pairs_; ///< rising
-    std::vector<Vec3> searched_at_;
+    std::vector<Pair> pairs_;       ///< rising
+    std::vector<Index> acting_;     ///< places in `nodes_` of the edges that were there at the search
+    std::vector<Vec3> searched_at_; ///< of these
     double margin_ = 0;
     std::vector<double> length_;                 ///< of the edges at the start
     std::vector<EdgeTouch> now_, before_;        ///< in the order of `pairs_`
@@ -92,6 +95,7 @@ private:
     void take_masses(const State& state);
     bool pairs_hold(const Clock& clock, const State& state) const;
     void search(const State& state);
+    bool may_meet(const ContactEdge& a, const ContactEdge& b) const;
     /// visit(edge) for an edge and those that share a node with it.
     template <class Visit>
     void for_neighbours(Index edge, Visit&& visit) const

@@ -109,6 +109,7 @@ struct Contact {
     bool square_edges = false;      ///< SHLEDG
     bool spot_weld_beams = false;   ///< CPARM8 = 2: beams of ELFORM 9 act in general contact
     bool exclude_same_part_beams = false; ///< CPARM8 = 1: beams of one part do not touch one another
+    bool edges = false;                   ///< edges touch edges: general contact; SOFT = 2 where DEPTH asks
     bool inner_edges = false;             ///< _INTERIOR of general contact: sides between shells act as well
     bool keep_eroded_nodes = false;       ///< ENMASS: nodes that have lost their elements stay in the contact
 };

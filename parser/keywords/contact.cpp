@@ -173,6 +173,16 @@ void read_sides(const Record& record, const Block& block, Contact& contact, Read
     contact.master.thickness_scale = real_or(record, one_of(record, "SFSBT", "SFMT"), 1);
 }
 
+/// SOFT = 2 with a DEPTH of 3, 5 or these and tens: edges of segments are looked at beside their corners
+/// (keyword manual, *CONTACT, optional card A).
+bool segments_meet_at_edges(const Record& record, const Contact& contact)
+{
+    if (record.integer("SOFT") != 2) return false;
+    if (contact.kind != Contact::Kind::single_surface && contact.kind != Contact::Kind::two_way) return false;
+    const Id kind = record.integer("DEPTH", 2) % 10;
+    return kind == 3 || kind == 5;
+}
+
 void read_contact(const Record& record, const Block& block, Reading& reading)
 {
     const std::string_view name = record.keyword;
@@ -217,6 +227,7 @@ void read_contact(const Record& record, const Block& block, Reading& reading)
     const Id beams = record.integer("CPARM8"); // that of the _MPP card speaks to LS-DYNA's MPP alone
     contact.spot_weld_beams = beams == 2;
     contact.exclude_same_part_beams = beams == 1;
+    contact.edges = contact.kind == Contact::Kind::general || segments_meet_at_edges(record, contact);
     contact.inner_edges = contact.kind == Contact::Kind::general && holds(name, "INTERIOR");
     contact.initial_penetration = static_cast<int>(record.integer("IGNORE"));
     if (name.ends_with("_MORTAR")) {

@@ -115,4 +115,24 @@ TEST(ContactKeyword, TiebreakOptionThatIsNotThere)
     EXPECT_NE(result.report.errors[0].text.find("9 is not supported; 2, 4, 6 and 8 are"), std::string::npos);
 }
 
+/// SOFT = 2 looks at edges where DEPTH says so.
+TEST(ContactKeywordsOfSegments, DepthAsksForEdges)
+{
+    const auto edges_of = [](const std::string& name, int soft, int depth) {
+        const testing::TemporaryFolder folder;
+        std::ofstream(folder / "deck.k")
+            << "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,1.0,1.0,0.3\n"
+               "*PART\na\n1,1,1\n*PART\nb\n2,1,1\n"
+            << fmt::format("*CONTACT_{}\n1,2,3,3\n0\n0\n{},,,,,{}\n*END\n", name, soft, depth);
+        return read_model(folder / "deck.k").model.contacts.at(0).edges;
+    };
+    for (const int depth : {3, 5, 13, 25, 35}) {
+        EXPECT_TRUE(edges_of("AUTOMATIC_SINGLE_SURFACE", 2, depth)) << depth;
+        EXPECT_TRUE(edges_of("AUTOMATIC_SURFACE_TO_SURFACE", 2, depth)) << depth;
+        EXPECT_FALSE(edges_of("AUTOMATIC_SINGLE_SURFACE", 1, depth)) << depth;
+    }
+    for (const int depth : {0, 2, 4}) EXPECT_FALSE(edges_of("AUTOMATIC_SINGLE_SURFACE", 2, depth)) << depth;
+    EXPECT_TRUE(edges_of("AUTOMATIC_GENERAL", 0, 2));
+}
+
 } // namespace plash

@@ -46,6 +46,7 @@ struct CrossedBeams {
         Contact contact;
         contact.id = 1;
         contact.kind = Contact::Kind::general;
+        contact.edges = true;
         contact.slave.kind = ContactSide::Kind::all;
         mesh.model.contacts.push_back(contact);
         mesh.model.controls.time.step_scale = 1;
@@ -133,6 +134,7 @@ TEST(EdgeContact, FreeSidesOfSheetsMeet)
     });
     Contact contact;
     contact.kind = Contact::Kind::general;
+    contact.edges = true;
     contact.slave.kind = ContactSide::Kind::all;
     contact.limit_thickness = false;
     mesh.model.contacts.push_back(contact);
@@ -161,6 +163,60 @@ TEST(EdgeContact, FreeSidesOfSheetsMeet)
     for (const Vec3& force : state.force) sum += force;
     EXPECT_NEAR(norm(sum), 0, 1e-14);
     EXPECT_GT(on_flat.y, 0);
+}
+
+/// Two surfaces whose sheets meet edge to edge: with SOFT = 2 and DEPTH = 5 they bounce, and what one gets
+/// the other gives; where only corners are looked at they pass through one another.
+TEST(EdgeContact, SurfacesMeetAtTheirEdges)
+{
+    for (const bool with_edges : {true, false}) {
+        ContactModel mesh;
+        const Index lower = mesh.add_part(1.0, 100, 0.2), upper = mesh.add_part(1.0, 100, 0.2);
+        const Index flat = mesh.add_sheet(lower, 2, 2, [](double u, double v) {
+            return Vec3{3 * u, 3 * v, 0};
+        });
+        const Index upright = mesh.add_sheet(upper, 2, 2, [](double u, double v) {
+            return Vec3{0.7 + 1.1 * u, -0.25 - v, 1.4 * u - 0.35};
+        });
+        Contact contact;
+        contact.kind = Contact::Kind::two_way;
+        contact.edges = with_edges;
+        contact.soft = 2;
+        contact.slave.kind = contact.master.kind = ContactSide::Kind::parts;
+        contact.slave.parts = {lower};
+        contact.master.parts = {upper};
+        contact.limit_thickness = false;
+        mesh.model.contacts.push_back(contact);
+        mesh.model.controls.time.step_scale = 0.9;
+        mesh.model.controls.time.end_time = 1.5;
+        Scene scene = make_scene(mesh.model);
+        for (Index i = 0; i < 9; ++i) scene.state.velocity[upright + i] = {0, 1, 0};
+        double largest = 0;
+        const std::vector<std::unique_ptr<Term>>& terms = scene.terms;
+        scene.terms.push_back(std::make_unique<Watch>([&](const Clock&, const State& state) {
+            ElementResults results;
+            for (const auto& term : terms) term->collect(state, results);
+            ASSERT_EQ(results.contacts.size(), 1u);
+            const auto& sum = results.contacts[0];
+            EXPECT_NEAR(norm(sum.slave_force + sum.master_force), 0, 1e-14);
+            largest = std::max(largest, sum.slave_force.y);
+        }));
+        Recorders recorders;
+        ASSERT_EQ(run(scene, recorders).termination, Outcome::Termination::normal);
+        double pushed = 0, whole = 0;
+        for (Index i = 0; i < 9; ++i) {
+            pushed += scene.state.mass[flat + i] * scene.state.velocity[flat + i].y;
+            whole += scene.state.mass[upright + i] * scene.state.velocity[upright + i].y;
+        }
+        whole += pushed;
+        if (with_edges) {
+            EXPECT_GT(pushed, 0.3 * whole);
+            EXPECT_GT(largest, 0);
+            EXPECT_LT(scene.ledger.balance_error(), 5e-3);
+        } else {
+            EXPECT_EQ(pushed, 0);
+        }
+    }
 }
 
 } // namespace plash
