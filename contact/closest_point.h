@@ -67,6 +67,7 @@ inline ClosestPoint<Lane> closest_point(const Vector3<Lane>& x, const SegmentCor
     const Vector3<Lane> reach = x - q.a;
 
     Lane s = broadcast<Lane>(0.5), t = s;
+    const Lane settled = broadcast<Lane>(1e-12);
     for (int iteration = 0; iteration < 4; ++iteration) {
         const Vector3<Lane> along_s = e1 + t * twist, along_t = e2 + s * twist;
         const Vector3<Lane> rest = reach - s * e1 - t * along_t;
@@ -77,8 +78,11 @@ inline ClosestPoint<Lane> closest_point(const Vector3<Lane>& x, const SegmentCor
         const Lane floor = 0.05 * h11 * h22;
         const Lane h12 = h11 * h22 - newton * newton > floor ? newton : plain;
         const Lane inverse = one / max(h11 * h22 - h12 * h12, broadcast<Lane>(1e-300));
-        s = s + (h22 * g1 - h12 * g2) * inverse;
-        t = t + (h11 * g2 - h12 * g1) * inverse;
+        const Lane more_s = (h22 * g1 - h12 * g2) * inverse, more_t = (h11 * g2 - h12 * g1) * inverse;
+        s = s + more_s;
+        t = t + more_t;
+        // Flat parallelograms and triangles are done after one iteration, which the second confirms.
+        if (!any(max(max(more_s, -more_s), max(more_t, -more_t)) > settled)) break;
         s = min(max(s, -one), one + one);
         t = min(max(t, -one), one + one);
     }

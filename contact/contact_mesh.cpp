@@ -157,6 +157,42 @@ double ContactMesh::typical_size(double share) const
 
 void ContactMesh::update_exposed(const State& state)
 {
+    join_edges(state);
+    join_rings();
+    node_facet.resize(node_begin.back());
+    std::vector<Index> next(node_begin.begin(), node_begin.end() - 1);
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+        if (!facets[i].exposed) continue;
+        for (int corner = 0; corner < (facets[i].triangle() ? 3 : 4); ++corner) {
+            node_facet[next[facets[i].corner[corner]]++] = static_cast<Index>(i);
+        }
+    }
+}
+
+/// Nodes along the edges of each node, by rising edge.
+void ContactMesh::join_rings()
+{
+    ring_begin.assign(nodes.size() + 1, 0);
+    on_rim.assign(nodes.size(), 0);
+    for (std::size_t edge = 0; edge < edge_corner.size(); ++edge) {
+        const bool alone = edge_begin[edge + 1] - edge_begin[edge] < 2;
+        for (const Index end : edge_corner[edge]) {
+            ++ring_begin[end + 1];
+            on_rim[end] |= alone;
+        }
+    }
+    std::partial_sum(ring_begin.begin(), ring_begin.end(), ring_begin.begin());
+    ring_node.resize(ring_begin.back());
+    std::vector<Index> next(ring_begin.begin(), ring_begin.end() - 1);
+    for (const auto& [a, b] : edge_corner) {
+        ring_node[next[a]++] = b;
+        ring_node[next[b]++] = a;
+    }
+}
+
+/// Finds the exposed facets, their edges, and how many of them meet at each node.
+void ContactMesh::join_edges(const State& state)
+{
     struct Side {
         std::array<Index, 2> corner;
         Index facet;
@@ -193,14 +229,6 @@ void ContactMesh::update_exposed(const State& state)
     edge_begin.push_back(static_cast<Index>(edge_facet.size()));
 
     std::partial_sum(node_begin.begin(), node_begin.end(), node_begin.begin());
-    node_facet.resize(node_begin.back());
-    std::vector<Index> next(node_begin.begin(), node_begin.end() - 1);
-    for (std::size_t i = 0; i < facets.size(); ++i) {
-        if (!facets[i].exposed) continue;
-        for (int corner = 0; corner < (facets[i].triangle() ? 3 : 4); ++corner) {
-            node_facet[next[facets[i].corner[corner]]++] = static_cast<Index>(i);
-        }
-    }
 }
 
 } // namespace plash

@@ -49,6 +49,10 @@ struct ContactMesh {
     /// Exposed facets around each node, likewise.
     std::vector<Index> node_begin, node_facet;
 
+    /// Nodes that edges join with each node, likewise; whether one of these edges has one facet only.
+    std::vector<Index> ring_begin, ring_node;
+    std::vector<std::uint8_t> on_rim;
+
     std::span<const Index> facets_at_edge(Index edge) const
     {
         return {edge_facet.data() + edge_begin[edge], edge_facet.data() + edge_begin[edge + 1]};
@@ -58,11 +62,20 @@ struct ContactMesh {
         return {node_facet.data() + node_begin[node], node_facet.data() + node_begin[node + 1]};
     }
 
+    std::span<const Index> neighbours_of(Index node) const
+    {
+        return {ring_node.data() + ring_begin[node], ring_node.data() + ring_begin[node + 1]};
+    }
+
     /// Facet size below which the given share of all facets lies [length].
     double typical_size(double share) const;
 
     /// Marks what erosion has changed and connects the facets that are there now.
     void update_exposed(const State& state);
+
+private:
+    void join_edges(const State& state);
+    void join_rings();
 };
 
 /// Numbers 0 .. count - 1 with neighbours in space beside one another, in runs of eight.

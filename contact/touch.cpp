@@ -87,11 +87,12 @@ int TouchFinder::same_sense(Index facet, Index other) const
 void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, std::vector<Touch>& touches) const
 {
     std::vector<Near> near;
+    std::vector<const Near*> order;
     collect_near(pairs, node_start(pairs, begin), node_start(pairs, end), near);
     for (std::size_t i = 0; i < near.size();) {
         std::size_t next = i + 1;
         while (next < near.size() && near[next].node == near[i].node) ++next;
-        resolve({near.data() + i, next - i}, touches);
+        resolve({near.data() + i, next - i}, order, touches);
         i = next;
     }
 }
@@ -261,16 +262,9 @@ bool TouchFinder::closest_of_feature(const Near& near) const
         return true;
     }
     const Index node = facet.corner[near.feature - static_cast<int>(Feature::corner)];
-    for (Index other : mesh_.facets_at_node(node)) {
-        for (Index edge : mesh_.facet_edges[other]) {
-            if (edge == none) continue;
-            const auto& ends = mesh_.edge_corner[edge];
-            if (ends[0] != node && ends[1] != node) continue;
-            if (needs_neighbour && mesh_.facets_at_edge(edge).size() < 2) return false;
-            const Index far = ends[0] == node ? ends[1] : ends[0];
-            if (dot(near.offset, place(far) - place(node)) > tolerance) return false;
-        }
-    }
+    if (needs_neighbour && mesh_.on_rim[node]) return false;
+    for (const Index far : mesh_.neighbours_of(node))
+        if (dot(near.offset, place(far) - place(node)) > tolerance) return false;
     return true;
 }
 
@@ -370,15 +364,18 @@ void TouchFinder::inherit(const Near& near, std::span<const Touch> before, Touch
 }
 
 /// Takes the closest facets first, and others only where they hold the node from clearly another direction.
-void TouchFinder::resolve(std::span<Near> near, std::vector<Touch>& touches) const
+void TouchFinder::resolve(std::span<const Near> near, std::vector<const Near*>& order,
+                          std::vector<Touch>& touches) const
 {
-    const auto closer = [](const Near& a, const Near& b) {
-        return std::pair(a.distance2, a.facet) < std::pair(b.distance2, b.facet);
-    };
-    std::sort(near.begin(), near.end(), closer);
+    order.clear();
+    for (const Near& one : near) order.push_back(&one);
+    std::sort(order.begin(), order.end(), [](const Near* a, const Near* b) {
+        return std::pair(a->distance2, a->facet) < std::pair(b->distance2, b->facet);
+    });
     const std::span<const Touch> before = before_.of(near.front().node);
     const std::size_t first = touches.size();
-    for (const Near& one : near) {
+    for (const Near* nearest : order) {
+        const Near& one = *nearest;
         if (touches.size() == first + 3) break;
         const auto beside = [&](const Vec3& direction, double length) {
             for (std::size_t i = first; i < touches.size(); ++i) {

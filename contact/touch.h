@@ -89,7 +89,9 @@ private:
 
     void collect_near(PairList& pairs, std::size_t begin, std::size_t end, std::vector<Near>& near) const;
     void measure(PairList& pairs, std::span<const Index> batch, std::vector<Near>& near) const;
-    void resolve(std::span<Near> near, std::vector<Touch>& touches) const;
+    /// order  room that is used again from node to node
+    void resolve(std::span<const Near> near, std::vector<const Near*>& order,
+                 std::vector<Touch>& touches) const;
     bool touch_of(const Near& near, std::span<const Touch> before, Touch& touch) const;
     bool touch_on_rim(const Near& near, std::span<const Touch> before, Vec3& normal, double& distance,
                       bool& known) const;
