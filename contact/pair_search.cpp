@@ -164,4 +164,11 @@ void PairSearch::sort_by_node(std::size_t node_count, const std::vector<PairList
     }
 }
 
+void PairSearch::leave_out(Index node)
+{
+    const auto [first, last] = std::equal_range(pairs_.node.begin(), pairs_.node.end(), node);
+    std::fill(pairs_.due.begin() + (first - pairs_.node.begin()),
+              pairs_.due.begin() + (last - pairs_.node.begin()), std::numeric_limits<double>::infinity());
+}
+
 } // namespace plash

@@ -35,6 +35,9 @@ public:
     /// Makes the next search come before the next cycle (surfaces have changed).
     void forget() { searched_at_.clear(); }
 
+    /// The pairs of a mesh node are never due again.
+    void leave_out(Index node);
+
     PairList& pairs() { return pairs_; }
     const PairList& pairs() const { return pairs_; }
     double margin() const { return margin_; }

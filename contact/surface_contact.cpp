@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace plash {
@@ -64,21 +65,67 @@ SurfaceContact::SurfaceContact(const Contact& contact, const Model& model, const
 }
 
 /// TIEBREAK: nodes that are held do not touch until they are set free; under OPTION 4 springs only pull, and
-/// contact does the rest.
+/// contact does the rest; under OPTION 1 and 3 nodes are held from their first touch on.
 void SurfaceContact::tie(const std::vector<PartData>& parts)
 {
-    const SurfaceOptions options = surface_options(contact_);
-    const Surface slave = make_surface(model_, parts, contact_.slave, options);
-    const Surface master = make_surface(model_, parts, contact_.master, options);
-    TieSearch search = find_tied_points(slave, master, contact_, model_.nodes.position);
-    ties_.emplace(contact_, model_, slave, master, std::move(search.points));
+    sticks_ = contact_.tie.failure == 1 || contact_.tie.failure == 3;
+    if (sticks_) {
+        ties_.emplace(contact_, model_, mesh_.segments);
+        stuck_.resize(mesh_.nodes.size());
+    } else {
+        const SurfaceOptions options = surface_options(contact_);
+        const Surface slave = make_surface(model_, parts, contact_.slave, options);
+        const Surface master = make_surface(model_, parts, contact_.master, options);
+        TieSearch search = find_tied_points(slave, master, contact_, model_.nodes.position);
+        ties_.emplace(contact_, model_, slave, master, std::move(search.points));
+    }
     if (contact_.tie.failure == 4) return;
     number_.resize(model_.nodes.size(), none);
     for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) number_[mesh_.nodes[i].node] = static_cast<Index>(i);
     acts_on_again_.resize(mesh_.nodes.size());
-    for (Index node : ties_->held_nodes()) {
-        acts_on_again_[number_[node]] = std::exchange(mesh_.nodes[number_[node]].acts_on, std::uint8_t{0});
-    }
+    for (Index node : ties_->held_nodes()) hold_back(number_[node]);
+}
+
+void SurfaceContact::hold_back(Index number)
+{
+    acts_on_again_[number] = std::exchange(mesh_.nodes[number].acts_on, std::uint8_t{0});
+}
+
+/// Holds the nodes of the first surface that touch within a facet of the second; where they touch its rim,
+/// they have to come in first. From the next cycle on they do not touch any more, but their springs pull.
+void SurfaceContact::stick(const State& state)
+{
+    now_.for_each([&](const Touch& touch) {
+        const auto& node = mesh_.nodes[touch.node];
+        const Facet& facet = mesh_.facets[touch.facet];
+        if (stuck_[touch.node] || (node.sides & slave_bit) == 0 || (facet.belongs & master_bit) == 0) return;
+        TiedPoint point;
+        point.node = node.node;
+        for (int i = 0; i < 4; ++i) point.corner[i] = mesh_.nodes[facet.corner[i]].node;
+        point.segment = touch.facet;
+        point.s = touch.s;
+        point.t = touch.t;
+        point.size = facet.size;
+        const TieFrame frame(TieShape(touch.s, touch.t, facet.triangle()), at_corners(state.position, point));
+        const Vec3 offset = state.position[point.node] - frame.place;
+        point.height = dot(offset, frame.normal);
+        if (norm(offset - point.height * frame.normal) > 1e-6 * facet.size) return;
+        double area = 0;
+        for (const Index own : mesh_.facets_at_node(touch.node)) {
+            const Facet& beside = mesh_.facets[own];
+            const auto corner = [&](int i) { return motion_.position[beside.corner[i]]; };
+            const Vec3 normal = cross(corner(2) - corner(0), corner(3) - corner(1));
+            if (std::abs(dot(normal, touch.normal)) < 0.5 * norm(normal)) continue; // the side of a block
+            area += beside.size * beside.size / (beside.triangle() ? 3 : 4);
+        }
+        if (area == 0) area = facet.size * facet.size; // a lone node stands for a segment
+        const double side = dot(touch.normal, frame.normal) < 0 ? -1 : 1;
+        ties_->hold(point, side, unscaled_stiffness(contact_.penalty_option, node.stiffness, facet.stiffness),
+                    area, state);
+        stuck_[touch.node] = 1;
+        hold_back(touch.node);
+        search_.leave_out(touch.node);
+    });
 }
 
 void SurfaceContact::pull_ties(const Clock& clock, State& state)
@@ -228,6 +275,7 @@ void SurfaceContact::add_forces(const Clock& clock, State& state)
     soft_step_ = std::max(soft_step_, longest);
     search_.update(mesh_, motion_);
     find_touches();
+    if (sticks_) stick(state);
     if (contact_.constraint || now_.size() + before_.size() == 0) return;
     sum_up();
     add_to(clock, state);
@@ -399,9 +447,14 @@ std::vector<std::string> SurfaceContact::notices(const State& state) const
 
 void SurfaceContact::serialise(Archive& archive)
 {
-    archive(mass_, motion_.travelled, sum_now_, deletions_seen_, soft_step_, energy_);
+    archive(mass_, motion_.travelled, sum_now_, deletions_seen_, soft_step_, energy_, stuck_);
     search_.serialise(archive);
+    if (archive.loading() && ties_ && !number_.empty())
+        for (Index node : ties_->held_nodes())
+            mesh_.nodes[number_[node]].acts_on = acts_on_again_[number_[node]];
     if (ties_) ties_->serialise(archive);
+    if (archive.loading() && ties_ && !number_.empty())
+        for (Index node : ties_->held_nodes()) hold_back(number_[node]);
     now_.serialise(archive);
     if (!archive.loading()) return;
     now_.first.assign(now_.chunks.empty() ? 0 : mesh_.nodes.size(), nullptr);

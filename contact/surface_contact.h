@@ -79,6 +79,8 @@ private:
     std::optional<TiedSprings> ties_;
     std::vector<Index> number_; ///< of the mesh by State index; empty unless ties hold nodes back
     std::vector<std::uint8_t> acts_on_again_; ///< by mesh node: what a held node will act on
+    bool sticks_ = false;                     ///< TIEBREAK OPTION 1, 3: nodes stick where they touch
+    std::vector<std::uint8_t> stuck_;         ///< by mesh node: has stuck once; empty unless nodes stick
 
     bool active(const Clock& clock) const
     {
@@ -86,6 +88,8 @@ private:
     }
     void tie(const std::vector<PartData>& parts);
     void pull_ties(const Clock& clock, State& state);
+    void hold_back(Index number);
+    void stick(const State& state);
     void add_rigid_votes();
     void take_masses(const State& state);
     void follow_erosion(const State& state);

@@ -23,6 +23,7 @@ struct TiedPoint {
 struct TieShape {
     std::array<double, 4> value{}, along_s{}, along_t{};
 
+    TieShape() = default;
     TieShape(double s, double t, bool triangle);
 };
 

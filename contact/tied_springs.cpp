@@ -68,6 +68,25 @@ TiedSprings::TiedSprings(const Contact& contact, const Model& model, const Surfa
     }
 }
 
+TiedSprings::TiedSprings(const Contact& contact, const Model& model, std::vector<Segment> segments)
+    : contact_(contact),
+      model_(model),
+      segments_(std::move(segments)),
+      rotations_(contact.tie.rotations || contact.tie.moment_offset)
+{}
+
+void TiedSprings::hold(const TiedPoint& point, double side, double stiffness, double area, const State& state)
+{
+    Spring spring{point, TieShape(point.s, point.t, point.triangle())};
+    spring.side = side;
+    spring.area = area;
+    const double own = contact_.tie.normal_stiffness * area;
+    spring.unscaled = own > 0 ? own : contact_.penalty_scale * stiffness;
+    if (longest_step_ > 0) set_stiffness(spring, state);
+    springs_.push_back(spring);
+    set_vote(state);
+}
+
 std::vector<Index> TiedSprings::held_nodes() const
 {
     std::vector<Index> nodes;
@@ -79,23 +98,20 @@ std::vector<Index> TiedSprings::held_nodes() const
 
 /// Once the step is known; springs without a stiffness of their own, and those of SOFT = 1 and 2, take what
 /// the masses and the step bear.
-void TiedSprings::set_stiffness(const State& state)
+void TiedSprings::set_stiffness(Spring& spring, const State& state) const
 {
-    for (Spring& spring : springs_) {
-        double smallest = state.mass[spring.point.node] > 0 ? state.mass[spring.point.node] : 1e300;
-        for (Index corner : spring.point.corner) {
-            if (state.mass[corner] > 0) smallest = std::min(smallest, state.mass[corner]);
-        }
-        if (smallest == 1e300) smallest = 0;
-        const double step2 = longest_step_ * longest_step_;
-        const double soft = 0.5 * contact_.soft_scale * smallest / step2;
-        spring.stiffness = spring.unscaled;
-        if (contact_.soft != 0 || spring.unscaled == 0) spring.stiffness = std::max(spring.unscaled, soft);
-        if (!rotations_ || !state.rotational() || state.inertia[spring.point.node] == 0) continue;
-        const double lever = spring.stiffness * spring.point.size * spring.point.size / 12;
-        spring.turn_stiffness = std::min(lever, 0.1 * state.inertia[spring.point.node] / step2);
+    double smallest = state.mass[spring.point.node] > 0 ? state.mass[spring.point.node] : 1e300;
+    for (Index corner : spring.point.corner) {
+        if (state.mass[corner] > 0) smallest = std::min(smallest, state.mass[corner]);
     }
-    set_vote(state);
+    if (smallest == 1e300) smallest = 0;
+    const double step2 = longest_step_ * longest_step_;
+    const double soft = 0.5 * contact_.soft_scale * smallest / step2;
+    spring.stiffness = spring.unscaled;
+    if (contact_.soft != 0 || spring.unscaled == 0) spring.stiffness = std::max(spring.unscaled, soft);
+    if (!rotations_ || !state.rotational() || state.inertia[spring.point.node] == 0) return;
+    const double lever = spring.stiffness * spring.point.size * spring.point.size / 12;
+    spring.turn_stiffness = std::min(lever, 0.1 * state.inertia[spring.point.node] / step2);
 }
 
 /// Gershgorin's bound for the springs on the nodes' masses; nodes without mass in the State (rigid bodies)
@@ -136,6 +152,7 @@ void TiedSprings::follow_erosion(const State& state)
 bool TiedSprings::fails(const Spring& spring, double tension, double shear) const
 {
     const Tie& tie = contact_.tie;
+    if (tie.failure <= 1) return false;
     double value = 0;
     if (tie.normal_strength > 0 && tension > 0) {
         value += std::pow(tension / spring.area / tie.normal_strength, tie.normal_exponent);
@@ -164,7 +181,7 @@ void TiedSprings::load(const Clock& clock, const State& state, Spring& spring) c
     const double opening = std::sqrt(std::max(open, 0.0) * std::max(open, 0.0) + dot(slip, slip));
     const double limit = contact_.tie.parameter;
     const bool softens = (contact_.tie.failure == 6 || contact_.tie.failure == 8) && limit > 0;
-    if (contact_.tie.failure != 0 && spring.onset == 0 && fails(spring, normal_force, shear_force)) {
+    if (spring.onset == 0 && fails(spring, normal_force, shear_force)) {
         spring.onset = std::max(opening, 1e-300);
         if (!softens || spring.onset >= limit) spring.broken = true;
     }
@@ -214,7 +231,8 @@ void TiedSprings::add_forces(const Clock& clock, State& state)
     if (clock.time < contact_.birth || clock.time > contact_.death) return;
     if (clock.last_step > 0 && longest_step_ == 0) {
         longest_step_ = clock.last_step;
-        set_stiffness(state);
+        for (Spring& spring : springs_) set_stiffness(spring, state);
+        set_vote(state);
     }
     for (Spring& spring : springs_) {
         if (spring.broken) continue;
@@ -275,8 +293,7 @@ void TiedSprings::collect_nodes(std::vector<Vec3>& contact_force) const
 
 void TiedSprings::serialise(Archive& archive)
 {
-    for (Spring& spring : springs_) archive(spring);
-    archive(broken_, slave_energy_, master_energy_, deletions_seen_, longest_step_);
+    archive(springs_, broken_, slave_energy_, master_energy_, deletions_seen_, longest_step_);
     archive(vote_.step, vote_.element);
     vote_.kind = voter;
 }

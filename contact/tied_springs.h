@@ -19,10 +19,21 @@ namespace plash {
 /// Failure of TIEBREAK: (tension / NFLS)^NEN + (shear / SFLS)^MES >= 1 with stress = force / area of the node
 /// (or forces for node ties). OPTION 2 and 4 then release the node; 6 and 8 let the stress fall in proportion
 /// to the opening until it reaches PARAM. OPTION 4 holds in tension only and slides freely in the plane.
+/// OPTION 1 and 3 hold nodes from where they come into contact (hold), 1 for good, 3 until they fail.
 class TiedSprings {
 public:
     TiedSprings(const Contact& contact, const Model& model, const Surface& slave, const Surface& master,
                 std::vector<TiedPoint> points);
+
+    /// Without points, for nodes that come to be held later.
+    /// segments  that they may be held on
+    TiedSprings(const Contact& contact, const Model& model, std::vector<Segment> segments);
+
+    /// Holds one more node, without force where it is now.
+    /// side       +1 or -1: the node opens along the segment's normal or against it
+    /// stiffness  unscaled [force/length]
+    /// area       of the node [length^2]
+    void hold(const TiedPoint& point, double side, double stiffness, double area, const State& state);
 
     /// Adds forces at n and the work of the last step.
     void add_forces(const Clock& clock, State& state);
@@ -53,11 +64,6 @@ private:
         Vec3 force{};  ///< on the node [force]
         Vec3 moment{}; ///< on the node [moment]
         std::array<Vec3, 4> corner_force{};
-
-        void serialise(Archive& archive)
-        {
-            archive(stiffness, turn_stiffness, onset, damage, broken, force, moment, corner_force);
-        }
     };
     const Contact& contact_;
     const Model& model_;
@@ -71,7 +77,7 @@ private:
     double longest_step_ = 0;
     StepVote vote_;
 
-    void set_stiffness(const State& state);
+    void set_stiffness(Spring& spring, const State& state) const;
     void set_vote(const State& state);
     void follow_erosion(const State& state);
     void load(const Clock& clock, const State& state, Spring& spring) const;

@@ -51,7 +51,7 @@ struct Tie {
     bool rotations = false;     ///< shell-edge ties: rotations follow as well
     bool moment_offset = false; ///< _BEAM_OFFSET: the offset carries a moment
 
-    /// TIEBREAK OPTION: 0 no failure; 2, 3, 4, 6, 8 ... as in the manual.
+    /// TIEBREAK OPTION: 0 no failure; 1, 2, 3, 4, 6, 8 as in the manual.
     int failure = 0;
     double normal_strength = 0;  ///< NFLS [stress], or NFLF [force] for nodes
     double shear_strength = 0;   ///< SFLS, SFLF

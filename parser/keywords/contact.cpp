@@ -196,13 +196,13 @@ void read_contact(const Record& record, const Block& block, Reading& reading)
     contact.eroding = holds(name, "ERODING");
     contact.constraint = holds(name, "CONSTRAINT_");
     contact.tie = tie_of(record, contact.kind);
-    constexpr int options[] = {0, 2, 4, 6, 8};
+    constexpr int options[] = {0, 1, 2, 3, 4, 6, 8};
     const bool tiebreak =
         holds(name, "_SURFACE_TIEBREAK") && name.ends_with("TIEBREAK") && !holds(name, "SINGLE");
     if (tiebreak &&
         std::find(std::begin(options), std::end(options), contact.tie.failure) == std::end(options)) {
         reading.error(record, "OPTION",
-                      fmt::format("{} is not supported; 2, 4, 6 and 8 are", contact.tie.failure));
+                      fmt::format("{} is not supported; 1, 2, 3, 4, 6 and 8 are", contact.tie.failure));
     }
     read_sides(record, block, contact, reading);
 

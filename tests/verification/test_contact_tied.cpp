@@ -188,4 +188,37 @@ TEST(Tiebreak, BecomesContactOnceBroken)
     EXPECT_GT(deepest, 0.02) << "back at 0.1 from 0.02 above to 0.06 below: the nodes press";
 }
 
+/// OPTION 1 and 3: nodes are free until they touch, and stick there: pressed together by 0.002 and pulled
+/// apart to 0.02, the joint bears CN A 0.02 = 80 without failure (1), or breaks at NFLS A = 20 (3), where a
+/// step opens it by a fifth of what it bears: the last force before that is 16 to 20.
+TEST(Tiebreak, SticksWhereItTouches)
+{
+    for (const int option : {1, 3}) {
+        DeckRun run(pulled_block(fmt::format("*CONTROL_TIMESTEP\n0.0,0.2\n"
+                                             "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n"
+                                             "{},5.0,5.0,0.0,0,0,1.0,1000.0\n",
+                                             option),
+                                 "0.0,-0.01\n0.2,-0.01\n0.2001,0.1\n9.0,0.1\n", 0.42));
+        ASSERT_TRUE(run.scene);
+        const auto* contact = run.find<SurfaceContact>();
+        ASSERT_NE(contact, nullptr);
+        ASSERT_NE(contact->ties(), nullptr);
+        EXPECT_EQ(contact->ties()->size(), 0u);
+        double peak = 0, last = 0;
+        run.watch([&](const Clock&, const State& state) {
+            ElementResults results;
+            contact->collect(state, results);
+            last = results.contacts.at(0).master_force.z;
+            peak = std::max(peak, last);
+        });
+        run.go();
+        EXPECT_EQ(contact->ties()->size(), 9u);
+        EXPECT_EQ(contact->ties()->broken(), option == 1 ? 0u : 9u);
+        // The joint has no force where its nodes came in, a step's way deep.
+        EXPECT_NEAR(peak, option == 1 ? 80 : 20, option == 1 ? 0.03 * 80 : 0.05 * 20);
+        EXPECT_NEAR(last, option == 1 ? 80 : 0, 0.03 * 80);
+        EXPECT_LT(run.scene->ledger.balance_error(), 0.01);
+    }
+}
+
 } // namespace plash
