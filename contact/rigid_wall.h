@@ -60,6 +60,7 @@ private:
 
     void start(const Clock& clock, const State& state);
     Vec3 next_velocity(const Clock& clock, const State& state);
+    bool stays_clear(Index node, const Clock& clock, const State& state) const;
     void stop_node(std::size_t i, const Clock& clock, State& state, Sums& sums);
     void push_node(std::size_t i, const Clock& clock, State& state, Sums& sums);
     WallMeeting meeting_of(std::size_t i, const Clock& clock, const State& state,

@@ -52,9 +52,9 @@ ShellGroupMaker* maker_of(const Model& model, Index part_index)
 }
 
 /// Elements that no shell theory can work with: no thickness or no area.
-void check_element(const Model& model, Index element)
+void check_element(const Model& model, Index element, const ShellPlate& plate)
 {
-    const ShellMass start = shell_mass(model, element);
+    const ShellMass start = shell_mass(model, element, plate);
     const Part& part = model.parts[model.shells.part[element]];
     const Record& section = shell_section(model, part);
     if (!(start.thickness > 0)) {
@@ -104,9 +104,11 @@ bool is_null(const Model& model, const Part& part)
 
 void add_null_masses(const Model& model, const std::vector<Index>& elements, State& state)
 {
+    if (elements.empty()) return;
+    const ShellPlate plate = shell_plate(model, model.parts[model.shells.part[elements.front()]]);
     for (Index element : elements) {
-        check_element(model, element);
-        const ShellMass share = shell_mass(model, element);
+        check_element(model, element, plate);
+        const ShellMass share = shell_mass(model, element, plate);
         const std::array<Index, 4> nodes = shell_corners(model, element);
         for (int corner = 0; corner < 4; ++corner) state.mass[nodes[corner]] += share.corner_mass[corner];
     }
@@ -134,8 +136,9 @@ void add_groups(ShellGroupMaker* maker, const ShellPart& all, State& state,
     const bool sorted =
         formulation == ShellFormulation::triangle || model.controls.elements.sort_triangles > 0;
     std::map<GroupKey, ShellPart> members;
+    const ShellPlate plate = shell_plate(model, part);
     for (Index element : all.elements) {
-        check_element(model, element);
+        check_element(model, element, plate);
         const std::array<Index, 4> nodes = shell_corners(model, element);
         const bool triangle = nodes[2] == nodes[3];
         if (!triangle && formulation == ShellFormulation::triangle) {

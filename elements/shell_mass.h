@@ -25,6 +25,14 @@ std::span<const Layer> shell_layers(const Model& model, Index element);
 /// DeckError when there is neither.
 const Record& shell_section(const Model& model, const Part& part);
 
+/// What the shells of a part have in common, looked up once.
+struct ShellPlate {
+    double thickness = 0; ///< mean of T1..T4 of the section; 0 for plies [length]
+    double more_mass = 0; ///< MAREA [mass/area]
+    double density = 0;   ///< of the part's material; 0 for plies [density]
+};
+ShellPlate shell_plate(const Model& model, const Part& part);
+
 /// Thickness of an element: sum of its plies, or mean of its own corner thicknesses
 /// (*ELEMENT_SHELL_THICKNESS) or of T1..T4 of its section [length].
 double shell_thickness(const Model& model, Index element);
@@ -33,5 +41,6 @@ double shell_thickness(const Model& model, Index element);
 /// inertia: the larger of thickness^2 / 12, which is physical, and area / 8, which keeps rotations from
 /// limiting the step (Hughes, Cohen & Haroun 1978; Hallquist 2006, Hughes-Liu shell).
 ShellMass shell_mass(const Model& model, Index element);
+ShellMass shell_mass(const Model& model, Index element, const ShellPlate& plate);
 
 } // namespace plash

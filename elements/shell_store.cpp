@@ -91,6 +91,7 @@ ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings i
     : model(its.model),
       part(its.part),
       settings(std::move(its_settings)),
+      plate(shell_plate(model, model.parts[its.part])),
       patches(cut_shells(its, state)),
       section_watch(model, &CrossSection::shells, model.shells.size(), patches),
       sums(patches.patches.size()),
@@ -106,7 +107,8 @@ ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings i
         Lanes* values = record(batch);
         values[mass_factor] = broadcast<Lanes>(1.0);
         for (int lane = 0; lane < lane_count; ++lane) {
-            values[thickness][lane] = shell_thickness(model, patches.elements[batch * lane_count + lane]);
+            values[thickness][lane] =
+                shell_mass(model, patches.elements[batch * lane_count + lane], plate).thickness;
         }
         for (int point = 0; point < point_count; ++point) {
             Lanes* variables = values + points + point * point_size_ + history;
@@ -141,7 +143,7 @@ void ShellStore::close_cycle(State& state)
 
 double ShellStore::add_mass(Index element, double factor, State& state) const
 {
-    const ShellMass share = shell_mass(model, element);
+    const ShellMass share = shell_mass(model, element, plate);
     const double length = squared_length_of(model, state, element, settings.length_rule);
     const double gyration = std::max(
         share.squared_gyration, least_squared_gyration(settings, model.controls.time.step_scale, length));
@@ -277,7 +279,7 @@ void ShellStore::collect_element(const State& state, Index batch, int lane, Elem
     if (!results.shell_deleted.empty()) results.shell_deleted[row] = deleted;
     if (!results.shell_thickness.empty()) results.shell_thickness[row] = values[thickness][lane];
     if (!results.shell_internal_energy.empty()) {
-        const ShellMass start = shell_mass(model, element);
+        const ShellMass start = shell_mass(model, element, plate);
         results.shell_internal_energy[row] = values[internal_energy][lane] / (start.area * start.thickness);
     }
     const bool stress_wanted = !results.shell_stress.empty();
@@ -330,7 +332,7 @@ void ShellStore::collect_motion(const State& state, Index batch, int lane, Eleme
     if (factor == 0) return;
     const Index element = patches.elements[batch * lane_count + lane];
     const std::array<Index, 4> nodes = shell_corners(model, element);
-    const ShellMass share = shell_mass(model, element);
+    const ShellMass share = shell_mass(model, element, plate);
     ElementResults::PartMotion& motion = results.part_motion[part];
     for (int corner = 0; corner < 4; ++corner) {
         const double mass = factor * share.corner_mass[corner];

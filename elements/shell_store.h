@@ -6,6 +6,7 @@
 #include "elements/patches.h"
 #include "elements/section_watch.h"
 #include "elements/shell_kernel.h"
+#include "elements/shell_mass.h"
 #include "model/model.h"
 
 #include <span>
@@ -43,6 +44,7 @@ public:
     const Model& model;
     Index part;
     ShellSettings settings;
+    ShellPlate plate;
     Patches patches;
     SectionWatch section_watch;
     std::vector<PatchSums> sums; ///< by patch
