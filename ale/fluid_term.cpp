@@ -62,6 +62,7 @@ EulerianFluid::EulerianFluid(const Model& model, MeshBlock block, DeckGroups gro
     if (settings.conserve_total_energy) fluid_->conserve_total_energy();
     find_ambient_cells();
     find_loaded_nodes();
+    find_frame_loads();
 }
 
 /// ELFORM 7, or AET: cells that stand for a reservoir and keep the state in which they start.
@@ -161,16 +162,30 @@ void EulerianFluid::move_mesh(const Clock& clock, State& state)
     for (Index node : block_.nodes) state.velocity[node] = {velocity[0], velocity[1], velocity[2]};
 }
 
-std::array<double, 3> EulerianFluid::gravity(double time) const
+/// Loads of the frame that speak of everything, of the mesh's parts or of some of its nodes.
+void EulerianFluid::find_frame_loads()
 {
-    Vec3 sum{};
+    std::vector<bool> own_nodes;
     for (const BodyLoad& load : model_.body_loads) {
         const auto own = [&](Index part) {
             return is_eulerian(model_, part) || groups_.group_of_part(part) != none;
         };
-        if (!load.parts.empty() && std::none_of(load.parts.begin(), load.parts.end(), own)) continue;
-        sum += (load.scale * curve_value(model_, load.curve, time)) * load.direction;
+        bool acts = load.parts.empty() && load.nodes.empty();
+        acts = acts || std::any_of(load.parts.begin(), load.parts.end(), own);
+        if (!acts && !load.nodes.empty()) {
+            own_nodes.resize(model_.nodes.size());
+            for (Index node : block_.nodes) own_nodes[node] = true;
+            acts = std::any_of(load.nodes.begin(), load.nodes.end(), [&](Index node) { return own_nodes[node]; });
+        }
+        if (acts) frame_loads_.push_back(&load);
     }
+}
+
+std::array<double, 3> EulerianFluid::gravity(double time) const
+{
+    Vec3 sum{};
+    for (const BodyLoad* load : frame_loads_)
+        sum += (load->scale * curve_value(model_, load->curve, time)) * load->direction;
     return {-sum.x, -sum.y, -sum.z};
 }
 

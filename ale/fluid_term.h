@@ -44,11 +44,13 @@ private:
     MeshBoundary boundary_;
     MeshMotion motion_;
     std::vector<std::size_t> loaded_nodes_; ///< of the mesh, on which loads of the deck act
+    std::vector<const BodyLoad*> frame_loads_;
     bool started_ = false;
 
     void start(State& state);
     void find_ambient_cells();
     void find_loaded_nodes();
+    void find_frame_loads();
     void take_loads(const State& state);
     void move_mesh(const Clock& clock, State& state);
     std::array<double, 3> gravity(double time) const;

@@ -11,6 +11,10 @@
 /// UCIR-760, for sweeps over volumes that shrink and grow from axis to axis.
 namespace plash {
 
+/// Below this a node has no mass. A motion spreads by a node in a cycle and falls by orders of magnitude each
+/// time: what it carries into empty cells would otherwise end in numbers whose inverses overflow.
+inline constexpr double smallest_node_mass = 1e-200;
+
 enum class AdvectionOrder { donor_cell, van_leer };
 
 /// Scratch rows of every thread, kept over the run.

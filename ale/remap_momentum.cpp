@@ -172,7 +172,7 @@ private:
         const Lanes out = load<Lanes>(edge_row(high.slot, mass_flux) + high.i);
         const Lanes before = load<Lanes>(&fields_.node_mass[place]);
         const Lanes after = before + (in - out);
-        const auto has = after > 1e-13 * (before + abs(in));
+        const auto has = after > max(1e-13 * (before + abs(in)), broadcast<Lanes>(smallest_node_mass));
         const Lanes per_mass = has ? 1.0 / after : Lanes{};
         store(&fields_.node_mass[place], has ? after : Lanes{});
         Lanes lost{};

@@ -7,6 +7,7 @@
 #include "output/summary.h"
 #include "parser/read_model.h"
 #include "solver/explicit_loop.h"
+#include "solver/fluids/translate.h"
 #include "solver/restart.h"
 #include "solver/scene.h"
 
@@ -32,6 +33,7 @@ struct RunArguments {
     double until = std::numeric_limits<double>::infinity();
     std::string restart;         ///< restart file, or directory with some
     double restart_minutes = 15; ///< between restart files that the deck does not ask for
+    std::string fluid;           ///< form of the water; empty: as the deck says
     bool allow_unsupported = false;
     bool picture = false;
     bool vtk = false;
@@ -176,6 +178,8 @@ int run_deck(const RunArguments& arguments)
     const Model& model = read.model;
     std::unique_ptr<Scene> scene;
     try {
+        for (const std::string& line : translate_fluid(read.model, fluid_choice_of(model, arguments.fluid)))
+            log.say(line);
         scene = std::make_unique<Scene>(make_scene(model));
     } catch (const DeckError& error) {
         log.warn(fmt::format("{}: {}", model.place(error.where), error.what()));
@@ -236,6 +240,10 @@ void add_run(CLI::App& program, int& exit_code)
         ->check([](const std::string& text) {
             return text.find('=') == std::string::npos ? "must be NAME=VALUE" : "";
         });
+    command
+        ->add_option("--fluid", arguments->fluid,
+                     "Runs the deck's water as an Eulerian mesh (ale), particles (sph) or solids (lagrange)")
+        ->check(CLI::IsMember({"ale", "sph", "lagrange"}));
     command->add_option("--until", arguments->until, "Stop at this time if the deck would run longer");
     command->add_option("--restart", arguments->restart,
                         "Go on from a restart file (d3dump01, runrsf), or from the last one in a directory");

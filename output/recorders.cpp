@@ -20,6 +20,7 @@
 #include "output/sphout.h"
 #include "output/vtk_series.h"
 
+#include <algorithm>
 #include <functional>
 
 namespace plash {
@@ -99,7 +100,11 @@ bool has_sections(const Model& model)
 
 bool has_contacts(const Model& model)
 {
-    return !model.contacts.empty();
+    // Couplings that stand for contacts report as these did.
+    return !model.contacts.empty() ||
+           std::any_of(model.others.begin(), model.others.end(), [](const Record& record) {
+               return record.keyword == "CONSTRAINED_LAGRANGE_IN_SOLID" && record.peek("CONTACT");
+           });
 }
 
 /// A new ASCII file gets its line here.

@@ -78,6 +78,7 @@ constexpr Row rows[] = {
     {"SECTION_DISCRETE", "V0", velocity},
     {"SECTION_DISCRETE", "CL FD", length},
     {"SECTION_SPH*", "CSLH HMIN HMAX", number},
+    {"PLASH_FLUID", "SIZE HEIGHT", length},
     {"SECTION_SPH*", "SPHINI", length},
     {"SECTION_SPH*", "DEATH START", duration},
     {"SECTION_SEATBELT", "AREA", area},

@@ -112,6 +112,8 @@ CouplingOptions lagrange_in_solid(const Model& model, const Record& record, cons
     options.least_fraction = value_or(record.real("FRCMIN"), 0.5);
     options.turned = record.integer("NORM") == 1;
     options.damping = record.real("DAMP");
+    options.both_sides = record.integer("BOTHSIDES") == 1;
+    options.contact = record.integer("CONTACT");
     // Slow enough not to shake the fluid: PLEAK = 0.1 takes leaked fluid back over some hundred cycles.
     if (record.integer("ILEAK") > 0) options.leak_control = 0.1 * value_or(record.real("PLEAK"), 0.1);
     return options;

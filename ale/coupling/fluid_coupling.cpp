@@ -27,6 +27,19 @@ double length_along(const std::array<Vec3, 3>& edges, const Vec3& direction)
            std::abs(dot(direction, edges[2]));
 }
 
+/// Shells once more, looking the other way.
+void add_back_sides(Surface& surface)
+{
+    const std::size_t count = surface.segments.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Segment back = surface.segments[i];
+        if (back.shell == none) continue;
+        const auto [a, b, c, d] = back.nodes;
+        back.nodes = c == d ? std::array<Index, 4>{a, c, b, b} : std::array<Index, 4>{a, d, c, b};
+        surface.segments.push_back(back);
+    }
+}
+
 } // namespace
 
 FluidCoupling::FluidCoupling(const Model& model, CouplingOptions options, Surface surface,
@@ -294,13 +307,32 @@ void FluidCoupling::report(EnergyLedger& ledger) const
     ledger.sliding -= work_on_structure_;
 }
 
-void FluidCoupling::collect(const State&, ElementResults& results) const
+void FluidCoupling::collect(const State& state, ElementResults& results) const
 {
+    if (options_.contact != 0) results.contacts.push_back(as_contact(state));
     if (results.coupling_force.empty()) return;
     for (std::size_t point = 0; point < points_.size(); ++point)
         for (int corner = 0; corner < 4; ++corner)
             results.coupling_force[points_.nodes(point)[corner]] +=
                 points_.place(point).weight[corner] * force_[point];
+}
+
+/// The force as that of a contact between the fluid and the structure.
+ElementResults::ContactForce FluidCoupling::as_contact(const State& state) const
+{
+    ElementResults::ContactForce contact;
+    contact.contact = std::abs(options_.contact);
+    const bool structure_is_slave = options_.contact < 0;
+    Vec3& force = structure_is_slave ? contact.slave_force : contact.master_force;
+    Vec3& moment = structure_is_slave ? contact.slave_moment : contact.master_moment;
+    for (std::size_t point = 0; point < points_.size(); ++point) {
+        force += force_[point];
+        moment += cross(points_.motion(point, state).position, force_[point]);
+    }
+    (structure_is_slave ? contact.master_force : contact.slave_force) = -force;
+    (structure_is_slave ? contact.master_moment : contact.slave_moment) = -moment;
+    (structure_is_slave ? contact.slave_energy : contact.master_energy) = -work_on_structure_;
+    return contact;
 }
 
 Vec3 FluidCoupling::force() const
@@ -332,6 +364,7 @@ make_fluid_couplings(const Model& model, const std::vector<EulerianFluid*>& flui
                 throw DeckError(options.where, fmt::format("coupling {}: its structure has no shells and no "
                                                            "outer faces of solids",
                                                            options.id));
+            if (options.both_sides) add_back_sides(surface);
             couplings.push_back(
                 std::make_unique<FluidCoupling>(model, options, std::move(surface), *fluid, state.position));
         }

@@ -72,6 +72,7 @@ private:
     void press(std::size_t point, const Clock& clock);
     void push_fluid(const Touch& touch, const Vec3& force);
     void hand_out(const Clock& clock, State& state);
+    ElementResults::ContactForce as_contact(const State& state) const;
     double step_bound() const { return fluid_.fluid().stable_step(); }
 };
 

@@ -227,7 +227,7 @@ void HexFluid::update_nodes(const HexSweep& sweep)
             }
             if (through == 0 && change == 0) continue;
             const double after = before + change;
-            const bool has = after > 1e-13 * (before + through);
+            const bool has = after > std::max(1e-13 * (before + through), smallest_node_mass);
             fields.node_mass[node] = has ? after : 0;
             const Vec3 gain = has ? (1 / after) * momentum : Vec3{};
             fields.velocity[0][node] = v.x + gain.x;
