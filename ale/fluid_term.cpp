@@ -175,7 +175,8 @@ void EulerianFluid::find_frame_loads()
         if (!acts && !load.nodes.empty()) {
             own_nodes.resize(model_.nodes.size());
             for (Index node : block_.nodes) own_nodes[node] = true;
-            acts = std::any_of(load.nodes.begin(), load.nodes.end(), [&](Index node) { return own_nodes[node]; });
+            acts = std::any_of(load.nodes.begin(), load.nodes.end(),
+                               [&](Index node) { return own_nodes[node]; });
         }
         if (acts) frame_loads_.push_back(&load);
     }

@@ -25,9 +25,8 @@ Index add_record(std::vector<Record>& list, Record record)
 /// Pieces of the spacing along each of a hexahedron's axes.
 std::array<int, 3> pieces_along(const std::array<Vec3, 8>& corners, double spacing)
 {
-    static constexpr int edges[3][4][2] = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}},
-                                           {{0, 3}, {1, 2}, {4, 7}, {5, 6}},
-                                           {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+    static constexpr int edges[3][4][2] = {
+        {{0, 1}, {3, 2}, {4, 5}, {7, 6}}, {{0, 3}, {1, 2}, {4, 7}, {5, 6}}, {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
     std::array<int, 3> count{1, 1, 1};
     if (spacing <= 0) return count;
     for (int axis = 0; axis < 3; ++axis) {
@@ -84,9 +83,10 @@ NewWater make_particle_water(Model& model, const Water& water, const std::vector
     result.lines.push_back(fmt::format("{} particles, {:.4g} apart{}", made, result.spacing,
                                        spacing > 0 ? "" : ", one in the middle of each element"));
     if (largest > 1.2 * smallest)
-        result.lines.push_back(fmt::format("WARNING: particles stand from {:.4g} to {:.4g} apart; pressures will "
-                                           "be wrong where these meet (SIZE of *PLASH_FLUID evens them out)",
-                                           smallest, largest));
+        result.lines.push_back(
+            fmt::format("WARNING: particles stand from {:.4g} to {:.4g} apart; pressures will "
+                        "be wrong where these meet (SIZE of *PLASH_FLUID evens them out)",
+                        smallest, largest));
     Index section = none, hourglass = none;
     for (Index part : water.parts)
         if (!changed[part]) {
@@ -100,9 +100,11 @@ NewWater make_particle_water(Model& model, const Water& water, const std::vector
     for (Index part : water.parts) {
         if (!changed[part]) continue;
         model.parts[part].section = section;
-        if (!own_section) model.parts[part].hourglass = hourglass; // particles of one body share their viscosity
+        if (!own_section)
+            model.parts[part].hourglass = hourglass; // particles of one body share their viscosity
     }
-    if (first_particles && !has_keyword(model, "PLASH_SPH_FORMULATION") && !has_keyword(model, "CONTROL_SPH")) {
+    if (first_particles && !has_keyword(model, "PLASH_SPH_FORMULATION") &&
+        !has_keyword(model, "CONTROL_SPH")) {
         model.others.push_back(made_record("PLASH_SPH_FORMULATION", {}, {{"KERNEL", 4}, {"DELTA", 0.1}}));
         result.lines.push_back("kernel Wendland C2 with 1.5 spacings, density diffusion 0.1 (docs/sph.md)");
     }
@@ -111,17 +113,22 @@ NewWater make_particle_water(Model& model, const Water& water, const std::vector
         tail.*vector_component[wall.axis] = wall.at;
         head.*vector_component[wall.axis] = wall.at + (wall.water_above ? 1 : -1);
         Record mirror = made_record("BOUNDARY_SPH_SYMMETRY_PLANE", {},
-                                    {{"VTX", tail.x}, {"VTY", tail.y}, {"VTZ", tail.z},
-                                     {"VHX", head.x}, {"VHY", head.y}, {"VHZ", head.z}});
+                                    {{"VTX", tail.x},
+                                     {"VTY", tail.y},
+                                     {"VTZ", tail.z},
+                                     {"VHX", head.x},
+                                     {"VHY", head.y},
+                                     {"VHZ", head.z}});
         const bool there = std::any_of(model.others.begin(), model.others.end(), [&](const Record& other) {
-            return other.keyword == mirror.keyword && other.real("VTX") == tail.x && other.real("VTY") == tail.y &&
-                   other.real("VTZ") == tail.z && other.real("VHX") == head.x && other.real("VHY") == head.y &&
-                   other.real("VHZ") == head.z;
+            return other.keyword == mirror.keyword && other.real("VTX") == tail.x &&
+                   other.real("VTY") == tail.y && other.real("VTZ") == tail.z &&
+                   other.real("VHX") == head.x && other.real("VHY") == head.y && other.real("VHZ") == head.z;
         });
         if (there) continue;
-        if (wall.origin.find("SYMMETRY_PLANE") == std::string::npos) model.others.push_back(std::move(mirror));
-        result.lines.push_back(fmt::format("{} at {} = {:g} became a symmetry plane of the particles{}", wall.origin,
-                                           "xyz"[wall.axis], wall.at,
+        if (wall.origin.find("SYMMETRY_PLANE") == std::string::npos)
+            model.others.push_back(std::move(mirror));
+        result.lines.push_back(fmt::format("{} at {} = {:g} became a symmetry plane of the particles{}",
+                                           wall.origin, "xyz"[wall.axis], wall.at,
                                            wall.held == 7 ? ", along which they slip" : ""));
     }
     return result;
@@ -132,8 +139,9 @@ NewWater make_solid_water(Model& model, const Water& water, const std::vector<bo
 {
     NewWater result;
     if (!water.lattice)
-        throw DeckError({}, "the particles do not stand on a lattice along the global axes; no solids can be made "
-                            "of them");
+        throw DeckError(
+            {}, "the particles do not stand on a lattice along the global axes; no solids can be made "
+                "of them");
     const double raster = 1e-3 * water.smallest_size;
     std::map<std::pair<Index, std::array<long, 3>>, Index> known;
     Id node_id = next_number(model.nodes.id), element_id = next_number(model.solids.id);
@@ -165,8 +173,7 @@ NewWater make_solid_water(Model& model, const Water& water, const std::vector<bo
         ++made;
     }
     if (!model.solids.axes.empty()) model.solids.axes.resize(model.solids.size());
-    const Index section =
-        add_record(model.sections, made_record("SECTION_SOLID", {}, {{"ELFORM", 1}}));
+    const Index section = add_record(model.sections, made_record("SECTION_SOLID", {}, {{"ELFORM", 1}}));
     for (Index part : water.parts) {
         if (!changed[part]) continue;
         double quadratic = 0, linear = 0;
@@ -177,9 +184,9 @@ NewWater make_solid_water(Model& model, const Water& water, const std::vector<bo
         }
         model.parts[part].section = section;
         // Weak viscous control: a fluid has no stiffness that an hourglass mode could be measured by.
-        model.parts[part].hourglass =
-            add_record(model.hourglass, made_record("HOURGLASS", {},
-                                                    {{"IHQ", 1}, {"QM", 1e-3}, {"Q1", quadratic}, {"Q2", linear}}));
+        model.parts[part].hourglass = add_record(
+            model.hourglass,
+            made_record("HOURGLASS", {}, {{"IHQ", 1}, {"QM", 1e-3}, {"Q1", quadratic}, {"Q2", linear}}));
     }
     result.lines.push_back(fmt::format("{} solids (ELFORM 1, hourglass control IHQ 1, QM 0.001)", made));
     for (const WaterWall& wall : walls) {
@@ -190,8 +197,8 @@ NewWater make_solid_water(Model& model, const Water& water, const std::vector<bo
                 if (std::abs(model.nodes.position[node].*vector_component[wall.axis] - wall.at) < raster)
                     fixed.nodes.push_back(node);
         if (fixed.nodes.empty()) continue;
-        result.lines.push_back(fmt::format("{} at {} = {:g} holds {} nodes", wall.origin, "xyz"[wall.axis], wall.at,
-                                           fixed.nodes.size()));
+        result.lines.push_back(fmt::format("{} at {} = {:g} holds {} nodes", wall.origin, "xyz"[wall.axis],
+                                           wall.at, fixed.nodes.size()));
         model.fixed_nodes.push_back(std::move(fixed));
     }
     return result;

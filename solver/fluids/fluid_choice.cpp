@@ -48,17 +48,18 @@ FluidChoice fluid_choice_of(const Model& model, std::string_view asked)
     FluidChoice choice;
     if (!asked.empty()) {
         choice.form = form_named(asked);
-        if (!choice.form) throw DeckError({}, fmt::format("--fluid: there is no form '{}'; {}", asked, forms));
+        if (!choice.form)
+            throw DeckError({}, fmt::format("--fluid: there is no form '{}'; {}", asked, forms));
     }
-    const auto found = std::find_if(model.others.begin(), model.others.end(), [](const Record& record) {
-        return record.keyword == "PLASH_FLUID";
-    });
+    const auto found = std::find_if(model.others.begin(), model.others.end(),
+                                    [](const Record& record) { return record.keyword == "PLASH_FLUID"; });
     if (found == model.others.end()) return choice;
     const Record& record = *found;
     choice.where = record.where;
     if (const std::string_view word = record.text("FLUID"); !choice.form && !word.empty()) {
         choice.form = form_named(word);
-        if (!choice.form) reject_field(record, "FLUID", fmt::format("there is no form '{}'; {}", word, forms));
+        if (!choice.form)
+            reject_field(record, "FLUID", fmt::format("there is no form '{}'; {}", word, forms));
     }
     choice.size = not_negative(record, "SIZE");
     choice.height = not_negative(record, "HEIGHT");

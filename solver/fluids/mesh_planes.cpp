@@ -34,8 +34,7 @@ std::vector<Body> bodies_along(const Water& water, int axis, double precision)
 {
     std::map<Index, std::vector<double>> values;
     for (const WaterPiece& piece : water.pieces)
-        for (const Vec3& corner : piece.corners)
-            values[piece.part].push_back(corner.*vector_component[axis]);
+        for (const Vec3& corner : piece.corners) values[piece.part].push_back(corner.*vector_component[axis]);
     std::vector<Body> bodies;
     for (auto& [part, list] : values) {
         Body body;
@@ -87,9 +86,10 @@ std::array<double, 2> reach_along(int axis, const Water& water, const std::vecto
     reach = {choice.region->low.*component, choice.region->high.*component};
     const double precision = 1e-6 * (high - low);
     if (reach[0] > low + precision || reach[1] < high - precision)
-        throw DeckError(choice.where, fmt::format("*PLASH_FLUID, field BOXID: the box from {0} = {1:g} to {2:g} does "
-                                                  "not hold the water from {0} = {3:g} to {4:g}",
-                                                  axis_names[axis], reach[0], reach[1], low, high));
+        throw DeckError(choice.where,
+                        fmt::format("*PLASH_FLUID, field BOXID: the box from {0} = {1:g} to {2:g} does "
+                                    "not hold the water from {0} = {3:g} to {4:g}",
+                                    axis_names[axis], reach[0], reach[1], low, high));
     return reach;
 }
 
@@ -107,7 +107,8 @@ std::vector<Interval> intervals_along(const std::vector<Body>& bodies, const std
         Interval interval{breaks[i - 1], breaks[i], unlimited, {}};
         const Body* finest = nullptr;
         for (const Body& body : bodies) {
-            if (body.planes.front() > interval.begin + precision || body.planes.back() < interval.end - precision)
+            if (body.planes.front() > interval.begin + precision ||
+                body.planes.back() < interval.end - precision)
                 continue;
             if (!finest || body.size < finest->size) finest = &body;
         }
@@ -176,8 +177,7 @@ MeshPlanes mesh_planes(const Water& water, const std::vector<WaterWall>& walls, 
         for (const Body& body : bodies) finest = std::min(finest, body.size);
         const std::array<double, 2> reach =
             reach_along(axis, water, walls, choice, structure, up, scale * finest);
-        std::vector<Interval> intervals =
-            intervals_along(bodies, reach, scale, choice.size == 0, precision);
+        std::vector<Interval> intervals = intervals_along(bodies, reach, scale, choice.size == 0, precision);
         // A neighbour that is much finer sets the size at the common plane.
         const auto limit = [&](std::size_t own, std::size_t other) {
             return intervals[other].size < 0.99 * intervals[own].size ? intervals[other].size : 0;

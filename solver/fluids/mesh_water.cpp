@@ -10,7 +10,7 @@ namespace plash {
 namespace {
 
 constexpr double precision = 1e-4; // shares that a deck's digits cannot tell from 0 and 1
-constexpr int most_fluids = 6; // *INITIAL_VOLUME_FRACTION has seven columns, one of them for the void
+constexpr int most_fluids = 6;     // *INITIAL_VOLUME_FRACTION has seven columns, one of them for the void
 
 /// Fluids by material and equation of state, with the parts that hold them.
 struct FluidParts {
@@ -34,9 +34,10 @@ FluidParts fluid_parts(const Model& model, const Water& water)
         result.group_of_part[part] = static_cast<int>(found - result.groups.begin());
     }
     if (result.groups.size() > most_fluids)
-        throw DeckError({}, fmt::format("the water of the deck is of {} materials; an Eulerian mesh made from it "
-                                        "can hold {}",
-                                        result.groups.size(), most_fluids));
+        throw DeckError({},
+                        fmt::format("the water of the deck is of {} materials; an Eulerian mesh made from it "
+                                    "can hold {}",
+                                    result.groups.size(), most_fluids));
     return result;
 }
 
@@ -50,7 +51,10 @@ struct Cells {
         for (int axis = 0; axis < 3; ++axis) count[axis] = planes[axis].size() - 1;
     }
     std::size_t size() const { return count[0] * count[1] * count[2]; }
-    std::size_t at(std::size_t i, std::size_t j, std::size_t k) const { return i + count[0] * (j + count[1] * k); }
+    std::size_t at(std::size_t i, std::size_t j, std::size_t k) const
+    {
+        return i + count[0] * (j + count[1] * k);
+    }
 };
 
 /// Length of overlap with each cell along an axis, from the first one that is met.
@@ -83,10 +87,11 @@ std::array<Vec3, 2> box_of(const WaterPiece& piece, const Part& part)
     const Vec3 edges = high - low;
     const double volume = piece.size * piece.size * piece.size;
     if (std::abs(edges.x * edges.y * edges.z / volume - 1) > 1e-3)
-        throw DeckError(part.where, fmt::format("*PART {} '{}': its water is not made of boxes along the global "
-                                                "axes, of which alone an Eulerian mesh can be made; give it "
-                                                "ELFORM = 11 or 12 to use its own mesh",
-                                                part.id, part.title));
+        throw DeckError(part.where,
+                        fmt::format("*PART {} '{}': its water is not made of boxes along the global "
+                                    "axes, of which alone an Eulerian mesh can be made; give it "
+                                    "ELFORM = 11 or 12 to use its own mesh",
+                                    part.id, part.title));
     return {low, high};
 }
 
@@ -170,16 +175,16 @@ void add_groups(Model& model, const FluidParts& fluids, Index void_part)
 {
     for (const std::vector<Index>& parts : fluids.groups) {
         if (parts.size() == 1) {
-            model.others.push_back(made_record("ALE_MULTI-MATERIAL_GROUP", {},
-                                               {{"SID", static_cast<double>(model.parts[parts.front()].id)},
-                                                {"IDTYPE", 1}}));
+            model.others.push_back(
+                made_record("ALE_MULTI-MATERIAL_GROUP", {},
+                            {{"SID", static_cast<double>(model.parts[parts.front()].id)}, {"IDTYPE", 1}}));
             continue;
         }
         PartSet set;
         set.id = free_id(model.part_sets);
         set.parts = parts;
-        model.others.push_back(
-            made_record("ALE_MULTI-MATERIAL_GROUP", {}, {{"SID", static_cast<double>(set.id)}, {"IDTYPE", 0}}));
+        model.others.push_back(made_record("ALE_MULTI-MATERIAL_GROUP", {},
+                                           {{"SID", static_cast<double>(set.id)}, {"IDTYPE", 0}}));
         model.part_sets.push_back(std::move(set));
     }
     model.others.push_back(
@@ -243,7 +248,8 @@ NewWater make_mesh_water(Model& model, const Water& water, const std::vector<Wat
                 model.nodes.id.push_back(node_id++);
                 model.nodes.position.push_back({x, y, z});
             }
-    const Index row = static_cast<Index>(planes[0].size()), sheet = row * static_cast<Index>(planes[1].size());
+    const Index row = static_cast<Index>(planes[0].size()),
+                sheet = row * static_cast<Index>(planes[1].size());
     Id element_id = free_number(model.solids.id);
     double filled = 0;
     for (std::size_t k = 0; k < cells.count[2]; ++k) {
@@ -282,15 +288,16 @@ NewWater make_mesh_water(Model& model, const Water& water, const std::vector<Wat
     hold_sides(model, walls, planes, first);
     const double volume = water.volume();
     if (std::abs(filled / volume - 1) > 0.02)
-        throw DeckError({}, fmt::format("the water's {} do not fill a space without gaps and overlaps: they have "
-                                        "a volume of {:g}, the cells that they cover hold {:g}",
-                                        water.particles ? "particles" : "elements", volume, filled));
-    result.lines.push_back(fmt::format("an Eulerian mesh of {} x {} x {} cells, {:.4g} of its volume of {:.4g} "
-                                       "filled with water",
-                                       cells.count[0], cells.count[1], cells.count[2], filled,
-                                       (planes[0].back() - planes[0].front()) *
-                                           (planes[1].back() - planes[1].front()) *
-                                           (planes[2].back() - planes[2].front())));
+        throw DeckError({},
+                        fmt::format("the water's {} do not fill a space without gaps and overlaps: they have "
+                                    "a volume of {:g}, the cells that they cover hold {:g}",
+                                    water.particles ? "particles" : "elements", volume, filled));
+    result.lines.push_back(
+        fmt::format("an Eulerian mesh of {} x {} x {} cells, {:.4g} of its volume of {:.4g} "
+                    "filled with water",
+                    cells.count[0], cells.count[1], cells.count[2], filled,
+                    (planes[0].back() - planes[0].front()) * (planes[1].back() - planes[1].front()) *
+                        (planes[2].back() - planes[2].front())));
     static constexpr const char* sides[3][2] = {
         {"lower x", "upper x"}, {"lower y", "upper y"}, {"lower z", "upper z"}};
     for (int axis = 0; axis < 3; ++axis)
@@ -301,8 +308,8 @@ NewWater make_mesh_water(Model& model, const Water& water, const std::vector<Wat
                        std::abs(candidate.at - at) <= 1e-6 * (planes[axis].back() - planes[axis].front());
             });
             if (wall != walls.end())
-                result.lines.push_back(fmt::format("its {} side at {:g} is closed: {}", sides[axis][side], wall->at,
-                                                   wall->origin));
+                result.lines.push_back(fmt::format("its {} side at {:g} is closed: {}", sides[axis][side],
+                                                   wall->at, wall->origin));
             else
                 result.lines.push_back(fmt::format("its {} side at {:g} is open", sides[axis][side],
                                                    side == 0 ? planes[axis].front() : planes[axis].back()));

@@ -24,8 +24,8 @@ Record made_record(std::string_view keyword, Location where,
 NewWater make_mesh_water(Model& model, const Water& water, const std::vector<WaterWall>& walls,
                          const MeshPlanes& planes);
 
-/// Particles of the given spacing in the pieces of the marked parts; spacing 0: one in the middle of each piece.
-/// Walls become symmetry planes.
+/// Particles of the given spacing in the pieces of the marked parts; spacing 0: one in the middle of each
+/// piece. Walls become symmetry planes.
 NewWater make_particle_water(Model& model, const Water& water, const std::vector<bool>& changed,
                              const std::vector<WaterWall>& walls, double spacing);
 

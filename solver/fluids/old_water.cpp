@@ -69,9 +69,10 @@ void OldWater::check_conditions(FluidForm form) const
     const auto refuse = [&](const auto& nodes, Location where, std::string_view what) {
         for (Index node : nodes)
             if (node != none && orphan_[node])
-                throw DeckError(where, fmt::format("{} names node {} of the water; it cannot be translated to "
-                                                   "--fluid {}",
-                                                   what, model_.nodes.id[node], to_string(form)));
+                throw DeckError(where,
+                                fmt::format("{} names node {} of the water; it cannot be translated to "
+                                            "--fluid {}",
+                                            what, model_.nodes.id[node], to_string(form)));
     };
     for (const NodalLoad& load : model_.nodal_loads) refuse(load.nodes, load.where, "a nodal load");
     for (const PressureLoad& load : model_.pressure_loads)
@@ -81,24 +82,27 @@ void OldWater::check_conditions(FluidForm form) const
     for (const NonReflectingBoundary& boundary : model_.non_reflecting_boundaries)
         for (const auto& segment : boundary.segments)
             refuse(segment, boundary.where, "*BOUNDARY_NON_REFLECTING");
-    for (const NodalRigidBody& body : model_.nodal_rigid_bodies) refuse(body.nodes, body.where, "a rigid body");
+    for (const NodalRigidBody& body : model_.nodal_rigid_bodies)
+        refuse(body.nodes, body.where, "a rigid body");
     for (const ExtraNodes& extra : model_.extra_nodes) refuse(extra.nodes, extra.where, "a rigid body");
     for (const CrossSection& section : model_.cross_sections)
         refuse(section.nodes, section.where, "a cross section");
     for (const NodeDamping& damping : model_.dampings)
         for (Index part : damping.parts)
             if (changed_[part] && form == FluidForm::ale)
-                throw DeckError(damping.where, fmt::format("damping of part {} has no counterpart in an Eulerian "
-                                                           "mesh",
-                                                           model_.parts[part].id));
+                throw DeckError(damping.where,
+                                fmt::format("damping of part {} has no counterpart in an Eulerian "
+                                            "mesh",
+                                            model_.parts[part].id));
     for (const Record& record : model_.others)
         if (record.keyword.starts_with("INITIAL_HYDROSTATIC"))
             throw DeckError(record.where, fmt::format("*{} has no counterpart in --fluid {}", record.keyword,
                                                       to_string(form)));
     for (const Termination& termination : model_.terminations)
         if (termination.kind == Termination::Kind::contact)
-            throw DeckError(termination.where, "a termination by contact force cannot be kept, as contacts with "
-                                               "the water are replaced");
+            throw DeckError(termination.where,
+                            "a termination by contact force cannot be kept, as contacts with "
+                            "the water are replaced");
 }
 
 void OldWater::drop_elements()
@@ -145,16 +149,17 @@ void OldWater::hand_over(const NewWater& made, std::vector<std::string>& lines)
         for (Index node : nodes) listed[node] = true;
         bool any = false;
         for (const auto& [part, old] : nodes_) {
-            const auto among = std::count_if(old.begin(), old.end(), [&](Index node) { return listed[node]; });
+            const auto among =
+                std::count_if(old.begin(), old.end(), [&](Index node) { return listed[node]; });
             if (among == 0) continue;
-            const bool only_shared = std::none_of(old.begin(), old.end(), [&](Index node) {
-                return listed[node] && orphan_[node];
-            });
+            const bool only_shared = std::none_of(old.begin(), old.end(),
+                                                  [&](Index node) { return listed[node] && orphan_[node]; });
             if (only_shared) continue;
             if (among != static_cast<std::ptrdiff_t>(old.size()))
-                throw DeckError(where, fmt::format("{} speaks of {} of the {} nodes of the water in part {}; only "
-                                                   "what speaks of all or none can be translated",
-                                                   what, among, old.size(), model_.parts[part].id));
+                throw DeckError(where,
+                                fmt::format("{} speaks of {} of the {} nodes of the water in part {}; only "
+                                            "what speaks of all or none can be translated",
+                                            what, among, old.size(), model_.parts[part].id));
             if (const auto found = made.nodes.find(part); found != made.nodes.end())
                 nodes.insert(nodes.end(), found->second.begin(), found->second.end());
             any = true;

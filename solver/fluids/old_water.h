@@ -4,8 +4,9 @@
 
 namespace plash {
 
-/// Takes the elements of the marked parts and what the deck says of their nodes out of a Model, before new water
-/// is made. Throws DeckError where something acts on nodes of the old water that new ones cannot take over.
+/// Takes the elements of the marked parts and what the deck says of their nodes out of a Model, before new
+/// water is made. Throws DeckError where something acts on nodes of the old water that new ones cannot take
+/// over.
 class OldWater {
 public:
     OldWater(Model& model, const Water& water, std::vector<bool> changed, FluidForm form);
@@ -18,8 +19,8 @@ public:
 
 private:
     Model& model_;
-    std::vector<bool> changed_; ///< by part
-    std::vector<bool> orphan_;  ///< by node
+    std::vector<bool> changed_;                 ///< by part
+    std::vector<bool> orphan_;                  ///< by node
     std::map<Index, std::vector<Index>> nodes_; ///< by changed part
 
     void find_nodes(const Water& water);

@@ -33,9 +33,13 @@ int upward(const Model& model, const Water& water, const std::vector<Vec3>& stru
 /// Keywords that speak of the Eulerian mesh that was.
 void drop_mesh_keywords(Model& model)
 {
-    static constexpr std::string_view names[] = {
-        "ALE_", "CONTROL_ALE", "INITIAL_VOID", "INITIAL_VOLUME_FRACTION", "CONSTRAINED_LAGRANGE_IN_SOLID",
-        "DATABASE_FSI", "SET_MULTI"};
+    static constexpr std::string_view names[] = {"ALE_",
+                                                 "CONTROL_ALE",
+                                                 "INITIAL_VOID",
+                                                 "INITIAL_VOLUME_FRACTION",
+                                                 "CONSTRAINED_LAGRANGE_IN_SOLID",
+                                                 "DATABASE_FSI",
+                                                 "SET_MULTI"};
     std::erase_if(model.others, [](const Record& record) {
         return std::any_of(std::begin(names), std::end(names),
                            [&](std::string_view name) { return record.keyword.starts_with(name); });
@@ -43,7 +47,8 @@ void drop_mesh_keywords(Model& model)
 }
 
 /// Rigid walls that have become sides of a mesh act on structures alone, or on nothing.
-void drop_walls(Model& model, const Water& water, const std::vector<bool>& orphan, std::vector<std::string>& lines)
+void drop_walls(Model& model, const Water& water, const std::vector<bool>& orphan,
+                std::vector<std::string>& lines)
 {
     std::erase_if(model.rigid_walls, [&](RigidWall& wall) {
         if (!acts_on_water(wall, water)) return false;
@@ -58,8 +63,9 @@ std::vector<std::string> to_mesh(Model& model, const FluidChoice& choice, const 
 {
     if (!water.solids && !water.particles) return {};
     if (water.mesh)
-        throw DeckError({}, "the deck has an Eulerian mesh and other water beside it; --fluid ale makes one mesh "
-                            "of water that has none yet");
+        throw DeckError({},
+                        "the deck has an Eulerian mesh and other water beside it; --fluid ale makes one mesh "
+                        "of water that has none yet");
     const std::vector<WaterWall> walls = walls_of(model, water, RigidWalls::all);
     const WaterContacts contacts(model, water);
     const std::vector<Vec3> structure = contacts.structure_points(model);
@@ -91,7 +97,8 @@ std::vector<std::string> to_elements(Model& model, const FluidChoice& choice, co
         for (Index part : model.particles.part) present[part] = true;
     else if (!water.mesh)
         for (Index part : model.solids.part) present[part] = true;
-    for (std::size_t part = 0; part < changed.size(); ++part) changed[part] = water.is_water[part] && !present[part];
+    for (std::size_t part = 0; part < changed.size(); ++part)
+        changed[part] = water.is_water[part] && !present[part];
     OldWater old(model, water, changed, form);
     if (water.mesh) drop_mesh_keywords(model);
     // Among particles that are there already, others stand as far apart.
@@ -111,8 +118,9 @@ std::vector<std::string> translate_fluid(Model& model, const FluidChoice& choice
     if (!choice.form) return {};
     const Water water = find_water(model);
     if (water.pieces.empty())
-        throw DeckError(choice.where, "the deck has no water: no solids, particles or Eulerian mesh of *MAT_NULL with "
-                                      "an equation of state");
+        throw DeckError(choice.where,
+                        "the deck has no water: no solids, particles or Eulerian mesh of *MAT_NULL with "
+                        "an equation of state");
     std::vector<std::string> lines;
     if (water.is_already(*choice.form)) {
         lines.push_back(fmt::format("the water is in the form '{}' already: nothing to translate",
@@ -120,15 +128,17 @@ std::vector<std::string> translate_fluid(Model& model, const FluidChoice& choice
         return lines;
     }
     std::string from;
-    for (const auto& [there, name] : {std::pair{water.solids, "solids"}, {water.particles, "particles"},
+    for (const auto& [there, name] : {std::pair{water.solids, "solids"},
+                                      {water.particles, "particles"},
                                       {water.mesh, "an Eulerian mesh"}})
         if (there) from += (from.empty() ? "" : " and ") + std::string(name);
     std::string parts;
-    for (Index part : water.parts) parts += fmt::format("{}{}", parts.empty() ? "" : ", ", model.parts[part].id);
-    lines.push_back(fmt::format("the water of part{} {}, {}, becomes '{}':", water.parts.size() == 1 ? "" : "s", parts,
-                                from, to_string(*choice.form)));
-    const std::vector<std::string> more = *choice.form == FluidForm::ale ? to_mesh(model, choice, water)
-                                                                       : to_elements(model, choice, water);
+    for (Index part : water.parts)
+        parts += fmt::format("{}{}", parts.empty() ? "" : ", ", model.parts[part].id);
+    lines.push_back(fmt::format("the water of part{} {}, {}, becomes '{}':",
+                                water.parts.size() == 1 ? "" : "s", parts, from, to_string(*choice.form)));
+    const std::vector<std::string> more =
+        *choice.form == FluidForm::ale ? to_mesh(model, choice, water) : to_elements(model, choice, water);
     for (const auto* list : {&water.remarks, &more})
         for (const std::string& line : *list) lines.push_back("  " + line);
     return lines;

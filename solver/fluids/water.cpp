@@ -54,7 +54,7 @@ double plane_distance(std::vector<double> at, double spacing)
     if (sum == 0) return 0;
     const double planes = sum / distance;
     return distance > 0.5 * spacing && std::abs(planes - std::round(planes)) < 0.05 ? sum / std::round(planes)
-                                                                                  : -1;
+                                                                                    : -1;
 }
 
 /// Boxes of the particles of one part: as long along each axis as its planes are apart.
@@ -153,9 +153,10 @@ void add_mesh(const Model& model, Water& water)
     }
     water.mesh = true;
     if (std::abs(kept - held) > 1e-6 * held)
-        water.remarks.push_back(fmt::format("cells that are at least half full count as full: {:+.2f} % of the "
-                                            "volume",
-                                            100 * (kept / held - 1)));
+        water.remarks.push_back(
+            fmt::format("cells that are at least half full count as full: {:+.2f} % of the "
+                        "volume",
+                        100 * (kept / held - 1)));
 }
 
 } // namespace
@@ -224,9 +225,9 @@ Water find_water(const Model& model)
 
 std::array<Vec3, 8> box_corners(const Vec3& low, const Vec3& high)
 {
-    return {Vec3{low.x, low.y, low.z},   {high.x, low.y, low.z},  {high.x, high.y, low.z},
-            {low.x, high.y, low.z},      {low.x, low.y, high.z},  {high.x, low.y, high.z},
-            {high.x, high.y, high.z},    {low.x, high.y, high.z}};
+    return {Vec3{low.x, low.y, low.z}, {high.x, low.y, low.z}, {high.x, high.y, low.z},
+            {low.x, high.y, low.z},    {low.x, low.y, high.z}, {high.x, low.y, high.z},
+            {high.x, high.y, high.z},  {low.x, high.y, high.z}};
 }
 
 Vec3 point_in(const std::array<Vec3, 8>& corners, double r, double s, double t)

@@ -14,17 +14,17 @@ struct WaterPiece {
     double size = 0;             ///< cubic root of its volume [length]
 };
 
-/// The fluids of a Model with all that is theirs, as its deck has them. Fluids are *MAT_NULL with an equation of
-/// state on solids, particles or an Eulerian mesh.
+/// The fluids of a Model with all that is theirs, as its deck has them. Fluids are *MAT_NULL with an equation
+/// of state on solids, particles or an Eulerian mesh.
 struct Water {
-    std::vector<Index> parts;    ///< that hold fluid
-    std::vector<bool> is_water;  ///< by part of the Model: fluid, or part of an Eulerian mesh
-    std::vector<bool> has_node;  ///< by node of the Model: of a piece or of an Eulerian mesh
+    std::vector<Index> parts;   ///< that hold fluid
+    std::vector<bool> is_water; ///< by part of the Model: fluid, or part of an Eulerian mesh
+    std::vector<bool> has_node; ///< by node of the Model: of a piece or of an Eulerian mesh
     bool solids = false, particles = false, mesh = false; ///< what the pieces come from
     std::vector<WaterPiece> pieces;
-    Vec3 low{}, high{};       ///< box around the pieces [length]
-    double smallest_size = 0; ///< of the pieces; where there are particles, of theirs [length]
-    bool lattice = true;      ///< boxes of particles fill the space without gaps
+    Vec3 low{}, high{};               ///< box around the pieces [length]
+    double smallest_size = 0;         ///< of the pieces; where there are particles, of theirs [length]
+    bool lattice = true;              ///< boxes of particles fill the space without gaps
     std::vector<std::string> remarks; ///< what was left away, for the user
 
     bool is_already(FluidForm form) const;

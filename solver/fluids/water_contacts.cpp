@@ -163,8 +163,10 @@ void WaterContacts::read_contact(const Model& model, const Water& water, std::si
     if (contact.kind == Contact::Kind::transducer || contact.kind == Contact::Kind::interior) return;
     const Split slave = split(model, water, contact.slave), master = split(model, water, contact.master);
     if (!slave.water && !master.water) return;
-    const bool single = contact.kind == Contact::Kind::single_surface || contact.kind == Contact::Kind::general;
-    const bool dry_slave = slave.structure.kind != Kind::none, dry_master = master.structure.kind != Kind::none;
+    const bool single =
+        contact.kind == Contact::Kind::single_surface || contact.kind == Contact::Kind::general;
+    const bool dry_slave = slave.structure.kind != Kind::none,
+               dry_master = master.structure.kind != Kind::none;
     const auto meet = [&](const Split& structure, const Split& wet, bool structure_is_slave) {
         Meeting meeting;
         meeting.id = contact.id;
@@ -295,12 +297,14 @@ void WaterContacts::add_coupling(Model& model, const Meeting& meeting, const New
         set("LSTRSTYP", 2);
         break;
     default:
-        throw DeckError(meeting.where, fmt::format("{}: its structure is a list of nodes, which has no surface that "
-                                                   "could be coupled with an Eulerian mesh; give a part or segments",
-                                                   meeting.name));
+        throw DeckError(meeting.where,
+                        fmt::format("{}: its structure is a list of nodes, which has no surface that "
+                                    "could be coupled with an Eulerian mesh; give a part or segments",
+                                    meeting.name));
     }
-    std::string line = fmt::format("{} with {} became a coupling by penalty{}", meeting.name,
-                                   side_name(model, meeting.structure), meeting.sticks ? " in all directions" : "");
+    std::string line =
+        fmt::format("{} with {} became a coupling by penalty{}", meeting.name,
+                    side_name(model, meeting.structure), meeting.sticks ? " in all directions" : "");
     if (meeting.from_contact) {
         record.id = meeting.id;
         set("CONTACT", static_cast<double>(meeting.structure_is_slave ? -meeting.id : meeting.id));
@@ -314,9 +318,10 @@ void WaterContacts::add_contact(Model& model, const Meeting& meeting, FluidForm 
                                 const NewWater& made, std::vector<std::string>& lines) const
 {
     if (meeting.structure.kind == Kind::nodes)
-        throw DeckError(meeting.where, fmt::format("{}: its structure is a list of nodes, which has no surface that "
-                                                   "the water could touch; give a part or segments",
-                                                   meeting.name));
+        throw DeckError(meeting.where,
+                        fmt::format("{}: its structure is a list of nodes, which has no surface that "
+                                    "the water could touch; give a part or segments",
+                                    meeting.name));
     Contact contact;
     if (meeting.from_contact) contact = model.contacts[meeting.contact];
     const bool particles = form == FluidForm::sph;
@@ -354,12 +359,14 @@ void WaterContacts::add_contact(Model& model, const Meeting& meeting, FluidForm 
         model.contacts.push_back(std::move(contact));
 }
 
-void WaterContacts::translate(Model& model, FluidForm form, const Water& water, const std::vector<bool>& changed,
-                              const NewWater& made, std::vector<std::string>& lines) const
+void WaterContacts::translate(Model& model, FluidForm form, const Water& water,
+                              const std::vector<bool>& changed, const NewWater& made,
+                              std::vector<std::string>& lines) const
 {
     std::vector<bool> gone(model.contacts.size());
     const auto touches_changed = [&](const std::vector<Index>& parts) {
-        return parts.empty() || std::any_of(parts.begin(), parts.end(), [&](Index part) { return changed[part]; });
+        return parts.empty() ||
+               std::any_of(parts.begin(), parts.end(), [&](Index part) { return changed[part]; });
     };
     for (const Meeting& meeting : meetings_) {
         if (!touches_changed(meeting.water_parts)) {
@@ -390,10 +397,12 @@ void WaterContacts::translate(Model& model, FluidForm form, const Water& water, 
             };
             std::vector<Index> fine = parts_of(contact.slave), coarse = parts_of(contact.master);
             if (fine.empty() || coarse.empty())
-                throw DeckError(contact.where, fmt::format("{} joins parts of the water, but does not name them as "
-                                                           "parts; so it cannot become a tie of solids",
-                                                           contact_name(contact)));
-            if (smallest_piece(water, fine.front()) > smallest_piece(water, coarse.front())) std::swap(fine, coarse);
+                throw DeckError(contact.where,
+                                fmt::format("{} joins parts of the water, but does not name them as "
+                                            "parts; so it cannot become a tie of solids",
+                                            contact_name(contact)));
+            if (smallest_piece(water, fine.front()) > smallest_piece(water, coarse.front()))
+                std::swap(fine, coarse);
             Contact tied;
             tied.id = contact.id;
             tied.title = contact.title;
@@ -409,7 +418,8 @@ void WaterContacts::translate(Model& model, FluidForm form, const Water& water, 
             continue;
         }
         gone[index] = true;
-        lines.push_back(fmt::format("{} between parts of the water went: they are one {} now", contact_name(contact),
+        lines.push_back(fmt::format("{} between parts of the water went: they are one {} now",
+                                    contact_name(contact),
                                     form == FluidForm::ale ? "mesh" : "body of particles"));
     }
     std::size_t index = 0;

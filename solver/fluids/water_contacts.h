@@ -21,14 +21,14 @@ public:
 private:
     /// A surface of a structure that meets the water.
     struct Meeting {
-        Id id = 0;            ///< of the contact or coupling; 0: none
-        std::string name;     ///< for the user
+        Id id = 0;        ///< of the contact or coupling; 0: none
+        std::string name; ///< for the user
         std::string title;
         Location where;
         ContactSide structure;
         std::vector<Index> water_parts; ///< that it meets; empty: all
         bool structure_is_slave = false;
-        bool sticks = false;   ///< tied
+        bool sticks = false; ///< tied
         double friction = 0;
         double birth = 0, death = forever;
         std::size_t contact = 0; ///< position among the Model's contacts, if it comes from one

@@ -107,10 +107,11 @@ public:
             if (only_possible && (!still || wall.friction > 0 || axis_along(wall.normal) < 0)) continue;
             const std::string name = fmt::format("rigid wall {}", wall.id);
             if (!still)
-                throw DeckError(wall.where, fmt::format("{} acts on the water; only endless planes that stand "
-                                                        "still for the whole run can become a side of an "
-                                                        "Eulerian mesh",
-                                                        name));
+                throw DeckError(wall.where,
+                                fmt::format("{} acts on the water; only endless planes that stand "
+                                            "still for the whole run can become a side of an "
+                                            "Eulerian mesh",
+                                            name));
             if (wall.friction > 0 && wall.friction < 1)
                 throw DeckError(wall.where,
                                 fmt::format("{} acts on the water with friction {:g}; on the side of an "
@@ -133,9 +134,10 @@ private:
     {
         const int axis = axis_along(normal);
         if (axis < 0)
-            throw DeckError(where, fmt::format("{} is oblique to the global axes; there it has no counterpart "
-                                               "in other forms of water",
-                                               origin));
+            throw DeckError(where,
+                            fmt::format("{} is oblique to the global axes; there it has no counterpart "
+                                        "in other forms of water",
+                                        origin));
         const auto component = vector_component[axis];
         const double at = point.*component, middle = 0.5 * (water_.low.*component + water_.high.*component);
         add({axis, at, middle > at, held | 1u << axis, origin});
@@ -153,7 +155,8 @@ private:
             return;
         }
         const auto component = vector_component[wall.axis];
-        const double room = wall.water_above ? water_.low.*component - wall.at : wall.at - water_.high.*component;
+        const double room =
+            wall.water_above ? water_.low.*component - wall.at : wall.at - water_.high.*component;
         if (room < -tolerance_)
             throw DeckError({}, fmt::format("{}: the wall {} = {:g} lies within the water, which has no "
                                             "counterpart in other forms of water",
@@ -166,8 +169,8 @@ private:
 
 bool acts_on_water(const RigidWall& wall, const Water& water)
 {
-    return wall.all_nodes ||
-           std::any_of(wall.nodes.begin(), wall.nodes.end(), [&](Index node) { return water.has_node[node]; });
+    return wall.all_nodes || std::any_of(wall.nodes.begin(), wall.nodes.end(),
+                                         [&](Index node) { return water.has_node[node]; });
 }
 
 std::vector<WaterWall> walls_of(const Model& model, const Water& water, RigidWalls rigid_walls)

@@ -7,14 +7,14 @@ namespace plash {
 /// A plane across a global axis that the water does not pass.
 struct WaterWall {
     int axis = 0;
-    double at = 0;              ///< coordinate of the plane [length]
-    bool water_above = true;    ///< the water lies towards larger coordinates
-    FreedomMask held = 0;       ///< translations of the water that the wall holds: its axis, more where it sticks
-    std::string origin;         ///< what the deck calls it
+    double at = 0;           ///< coordinate of the plane [length]
+    bool water_above = true; ///< the water lies towards larger coordinates
+    FreedomMask held = 0; ///< translations of the water that the wall holds: its axis, more where it sticks
+    std::string origin;   ///< what the deck calls it
 };
 
-/// Which rigid walls become walls of the water: all that act on it (DeckError where one cannot), those that can
-/// (the others go on as rigid walls), or none.
+/// Which rigid walls become walls of the water: all that act on it (DeckError where one cannot), those that
+/// can (the others go on as rigid walls), or none.
 enum class RigidWalls { all, possible, none };
 
 /// Walls on the sides of the water: outer faces of its solids or mesh whose nodes are held, *CONTROL_ALE EBC,
