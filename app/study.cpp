@@ -27,9 +27,15 @@ struct StudyOptions {
     CompareOptions compare;
     std::string deck, mesh;
     std::vector<std::string> vary;
+    std::string fluids; ///< forms of the water, separated by commas; empty: as the deck says
     int threads = 0;
     bool again = false;
 };
+
+/// Name under which the form of the water is varied.
+constexpr std::string_view fluid_setting = "fluid";
+/// The form that the deck has.
+constexpr std::string_view as_it_is = "deck";
 
 /// Done already, with a deck that has not changed since.
 bool is_done(const fs::path& directory, const std::string& deck)
@@ -44,8 +50,13 @@ int run_variant(const StudyOptions& options, const Variant& variant, const fs::p
 {
     std::vector<std::string> words = {"/proc/self/exe", "run", options.deck, "-o", directory.string()};
     if (options.threads > 0) words.insert(words.end(), {"-j", std::to_string(options.threads)});
-    for (const auto& [name, value] : variant.settings)
-        words.insert(words.end(), {"--set", name + "=" + value});
+    for (const auto& [name, value] : variant.settings) {
+        if (!options.fluids.empty() && name == fluid_setting) {
+            if (value != as_it_is) words.insert(words.end(), {"--fluid", value});
+        } else {
+            words.insert(words.end(), {"--set", name + "=" + value});
+        }
+    }
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -156,6 +167,9 @@ std::string convergence_text(const StudyOptions& options, const std::vector<Vari
 int study(StudyOptions options)
 {
     try {
+        if (!options.fluids.empty())
+            options.vary.insert(options.vary.begin(), std::string(fluid_setting) + "=" + options.fluids);
+        if (options.vary.empty()) throw std::invalid_argument("nothing varies: give --vary or --fluid");
         std::vector<Variant> variants = variants_of(options.vary);
         if (!options.mesh.empty()) {
             for (const Variant& variant : variants) {
@@ -201,10 +215,11 @@ void add_study(CLI::App& program, int& exit_code)
         "study",
         "Run a deck over values of its *PARAMETERs, and judge the runs; goes on where it was stopped");
     command->add_option("deck", options->deck, "The keyword deck")->required()->check(CLI::ExistingFile);
-    command
-        ->add_option("--vary", options->vary,
-                     "NAME=VALUE,VALUE,...: a *PARAMETER of the deck; several combine")
-        ->required();
+    command->add_option("--vary", options->vary,
+                        "NAME=VALUE,VALUE,...: a *PARAMETER of the deck; several combine");
+    command->add_option("--fluid", options->fluids,
+                        "Forms of the water to run, as deck,ale,sph,lagrange (deck: its own); combines with "
+                        "--vary");
     command->add_option(
         "--mesh", options->mesh,
         "The varied parameter that is the cell size: observed order and grid convergence index");
