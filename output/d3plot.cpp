@@ -40,6 +40,7 @@ D3plotRecorder::D3plotRecorder(const Model& model, Schedule schedule, const Resu
 void D3plotRecorder::write_state(const Snapshot& snapshot)
 {
     const std::size_t shells = layout_.shells.size(), solids = layout_.solids.size();
+    const std::size_t beams = layout_.beams.size();
     const NodalMotion motion(snapshot, false);
     ElementResults& r = results_;
     r.shell_layers = layout_.layers;
@@ -52,6 +53,10 @@ void D3plotRecorder::write_state(const Snapshot& snapshot)
     clear(r.solid_stress, solids);
     clear(r.solid_plastic_strain, solids);
     clear(r.solid_deleted, solids);
+    clear(r.beams, beams);
+    clear(r.beam_deleted, beams);
+    r.beam_points = layout_.beam_points;
+    clear(r.beam_stress, beams * layout_.beam_points);
     clear(r.particles, layout_.particles.size());
     if (layout_.fluid_groups > 0) clear(r.solid_density, solids);
     r.solid_fraction.assign(layout_.fluid_groups, std::vector<double>(layout_.fluid_groups > 0 ? solids : 0));
@@ -67,9 +72,11 @@ void D3plotRecorder::write_state(const Snapshot& snapshot)
     for (Index node : layout_.nodes) put(family_, motion.velocity(node));
     for (Index node : layout_.nodes) put(family_, motion.acceleration(node));
     put_solids();
+    put_beams();
     put_shells();
     for (Index solid : layout_.solids) family_.put(r.solid_deleted[solid] ? 0 : 1);
     for (Index shell : layout_.shells) family_.put(r.shell_deleted[shell] ? 0 : 1);
+    for (Index beam : layout_.beams) family_.put(r.beam_deleted[beam] ? 0 : 1);
     put_particles(snapshot.model);
     family_.end_state();
 }
@@ -113,6 +120,23 @@ void D3plotRecorder::put_solids()
         family_.put(results_.solid_plastic_strain[solid]);
         if (layout_.fluid_groups > 0) family_.put(results_.solid_density[solid]);
         for (const auto& fraction : results_.solid_fraction) family_.put(fraction[solid]);
+    }
+}
+
+void D3plotRecorder::put_beams()
+{
+    for (Index beam : layout_.beams) {
+        const ElementResults::BeamState& state = results_.beams[beam];
+        for (double value :
+             {state.axial, state.shear_s, state.shear_t, state.moment_s, state.moment_t, state.torsion})
+            family_.put(value);
+        for (int number = 0; number < layout_.beam_points; ++number) {
+            const ElementResults::BeamPoint& point =
+                results_.beam_stress[static_cast<std::size_t>(beam) * layout_.beam_points + number];
+            for (double value : {point.shear_rs, point.shear_tr, point.axial, point.plastic_strain})
+                family_.put(value);
+            family_.put(0); // axial strain, which no beam here keeps
+        }
     }
 }
 

@@ -55,6 +55,18 @@ void put_elements(std::vector<std::uint32_t>& words, const Elements<Corners>& el
     }
 }
 
+/// Two ends, the node that turns the section (0: there is none), two words without meaning, the part.
+void put_beams(std::vector<std::uint32_t>& words, const Model& model, const std::vector<Index>& order,
+               const std::vector<std::uint32_t>& node_place, const std::vector<std::uint32_t>& part_place)
+{
+    for (Index beam : order) {
+        const auto& nodes = model.beams.nodes[beam];
+        for (Index node : nodes) words.push_back(node == none ? 0 : node_place[node]);
+        words.insert(words.end(), 2, 0);
+        words.push_back(part_place[model.beams.part[beam]]);
+    }
+}
+
 void put_ids(std::vector<std::uint32_t>& words, const std::vector<Id>& ids, const std::vector<Index>& order)
 {
     for (Index index : order) words.push_back(static_cast<std::uint32_t>(ids[index]));
@@ -87,7 +99,9 @@ std::vector<std::uint32_t> control_block(const Model& model, const D3plotLayout&
     words[23] = count(layout.solids.size());
     words[24] = parts_with(model.solids.part, part_count);
     words[27] = count(layout.solid_words());
-    words[30] = 6; // NV1D
+    words[28] = count(layout.beams.size());
+    words[29] = parts_with(model.beams.part, part_count);
+    words[30] = count(layout.beam_words()); // NV1D
     words[31] = count(layout.shells.size());
     words[32] = parts_with(model.shells.part, part_count);
     words[33] = count(layout.shell_words());
@@ -96,8 +110,8 @@ std::vector<std::uint32_t> control_block(const Model& model, const D3plotLayout&
         static_cast<std::uint32_t>(-(10000 + layout.layers)); // MAXINT; the minus: deletion per element
     words[37] = count(layout.particles.size());               // NMSPH
     words[38] = parts_with(model.particles.part, part_count);
-    words[39] =
-        count(16 + layout.nodes.size() + layout.solids.size() + layout.shells.size() + 3 * part_count);
+    words[39] = count(16 + layout.nodes.size() + layout.solids.size() + layout.beams.size() +
+                      layout.shells.size() + 3 * part_count);
     words[42] = count(layout.layers * 7); // NV3DT
     words[43] = layout.shell_stress ? 1000 : 999;
     words[44] = layout.shell_strain ? 1000 : 999;
@@ -114,19 +128,21 @@ void put_numbers(std::vector<std::uint32_t>& words, const Model& model, const D3
 {
     const auto nodes = static_cast<std::uint32_t>(layout.nodes.size());
     const auto solids = static_cast<std::uint32_t>(layout.solids.size());
+    const auto beams = static_cast<std::uint32_t>(layout.beams.size());
     const auto shells = static_cast<std::uint32_t>(layout.shells.size());
     const auto parts = static_cast<std::uint32_t>(layout.parts.size());
-    const std::uint32_t solid_place = 1 + nodes, shell_place = solid_place + solids;
+    const std::uint32_t solid_place = 1 + nodes, beam_place = solid_place + solids;
+    const std::uint32_t shell_place = beam_place + beams;
     const std::uint32_t part_place = shell_place + shells;
     const std::uint32_t header[16] = {
         static_cast<std::uint32_t>(-1), // NSORT; the minus: part numbers follow
         solid_place,
-        shell_place,
+        beam_place,
         shell_place,
         part_place,
         nodes,
         solids,
-        0,
+        beams,
         shells,
         0,
         part_place + parts,
@@ -139,6 +155,7 @@ void put_numbers(std::vector<std::uint32_t>& words, const Model& model, const D3
     words.insert(words.end(), std::begin(header), std::end(header));
     put_ids(words, model.nodes.id, layout.nodes);
     put_ids(words, model.solids.id, layout.solids);
+    put_ids(words, model.beams.id, layout.beams);
     put_ids(words, model.shells.id, layout.shells);
     put_ids(words, part_ids, layout.parts);
     put_ids(words, part_ids, layout.parts);
@@ -163,6 +180,7 @@ std::vector<Index> sorted_particles(const Model& model)
 D3plotLayout::D3plotLayout(const Model& model)
     : nodes(sorted_by_id(model.nodes.id)),
       solids(sorted_by_id(model.solids.id)),
+      beams(sorted_by_id(model.beams.id)),
       shells(sorted_by_id(model.shells.id)),
       particles(sorted_particles(model)),
       walls(model.rigid_walls.size()),
@@ -179,6 +197,7 @@ D3plotLayout::D3plotLayout(const Model& model)
         return value == 0 ? fallback : value;
     };
     layers = std::abs(field("MAXINT", 3));
+    beam_points = std::max(0, field("BEAMIP", 0));
     shell_stress = field("SIGFLG", 1) != 2;
     shell_strain = field("EPSFLG", 1) != 2;
     shell_forces = field("RLTFLG", 1) != 2;
@@ -201,6 +220,7 @@ std::vector<std::uint32_t> d3plot_geometry(const Model& model, const D3plotLayou
     }
     const std::vector<std::uint32_t> node_place = places(layout.nodes), part_place = places(layout.parts);
     put_elements(words, model.solids, layout.solids, node_place, part_place);
+    put_beams(words, model, layout.beams, node_place, part_place);
     put_elements(words, model.shells, layout.shells, node_place, part_place);
     put_numbers(words, model, layout, part_ids);
     for (Index particle : layout.particles) {

@@ -4,8 +4,9 @@
 
 namespace plash::testing {
 
-/// Two hexahedra, a tetrahedron, two quadrilaterals and a triangle in three parts; numbers out of order.
-inline SnapshotFixture small_model()
+/// Two hexahedra, a tetrahedron, two quadrilaterals and a triangle in three parts; numbers out of order. With
+/// beams: two more elements in a fourth part, one with a node that turns its section.
+inline SnapshotFixture small_model(bool with_beams = false)
 {
     SnapshotFixture fixture;
     Model& model = fixture.model;
@@ -31,6 +32,12 @@ inline SnapshotFixture small_model()
     model.shells.id = {9, 8, 7};
     model.shells.part = {1, 1, 1};
     model.shells.nodes = {{0, 1, 5, 4}, {4, 5, 9, 8}, {2, 3, 7, 7}};
+    if (with_beams) {
+        part(15, "rods");
+        model.beams.id = {61, 60};
+        model.beams.part = {3, 3};
+        model.beams.nodes = {{0, 8, 3}, {1, 9, none}};
+    }
     fixture.start();
     return fixture;
 }

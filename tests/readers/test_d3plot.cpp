@@ -215,6 +215,52 @@ TEST(D3plot, GivesStressesAndShellResults)
     }
 }
 
+/// Beams stand between solids and shells, with their ends, resultants and points, and leave when they erode;
+/// what stands behind them keeps its place.
+TEST(D3plot, GivesBeams)
+{
+    for (const int points : {0, 2}) {
+        TemporaryFolder folder;
+        SnapshotFixture fixture = small_model(true);
+        if (points > 0) fixture.model.controls.output.extent = {{"BEAMIP", points}};
+        add_made_up_results(fixture);
+        fixture.add_results().fill = [&](const State&, ElementResults& r) {
+            if (r.beams.empty()) return;
+            ASSERT_EQ(r.beam_points, points);
+            for (Index beam = 0; beam < 2; ++beam) {
+                const double b = 100 * beam;
+                r.beams[beam] = {b + 1, b + 2, b + 3, b + 4, b + 5, b + 6, 0, 0};
+                for (int point = 0; point < points; ++point)
+                    r.beam_stress[beam * points + point] = {b + 7, b + 8, b + 9, 0.5 + beam + point};
+            }
+            r.beam_deleted[1] = fixture.clock.time > 0.15;
+        };
+        D3plotRecorder recorder(fixture.model, Schedule(0.1), database(folder));
+        write_states(fixture, recorder);
+        const VtkD3plot read = read_with_vtk(database(folder), 1);
+        const VtkPart& rods = read.part("rods");
+        EXPECT_EQ(rods.element_ids, (std::vector<Id>{60, 61}));
+        for (std::size_t cell = 0; cell < 2; ++cell) {
+            const Index beam = index_of(fixture.model.beams.id, rods.element_ids[cell]);
+            for (int end = 0; end < 2; ++end) {
+                EXPECT_EQ(node_of(fixture.model, rods, rods.corners[cell].at(end)),
+                          fixture.model.beams.nodes[beam][end]);
+            }
+            const double b = 100 * beam;
+            EXPECT_NEAR(rods.cell_values.at("AxialForce")[cell][0], b + 1, 1e3 * digits);
+            EXPECT_NEAR(rods.cell_values.at("ShearResultant")[cell][1], b + 3, 1e3 * digits);
+            EXPECT_NEAR(rods.cell_values.at("BendingResultant")[cell][0], b + 4, 1e3 * digits);
+            EXPECT_NEAR(rods.cell_values.at("TorsionResultant")[cell][0], b + 6, 1e3 * digits);
+        }
+        const VtkPart& sheets = read.part("sheets");
+        EXPECT_EQ(sheets.element_ids, (std::vector<Id>{7, 8, 9}));
+        EXPECT_NEAR(sheets.cell_values.at("Thickness")[0][0], 1.5 + 2, 10 * digits);
+        const VtkD3plot later = read_with_vtk(database(folder), 2);
+        EXPECT_EQ(later.part("rods").element_ids, (std::vector<Id>{61}));
+        EXPECT_EQ(later.part("sheets").element_ids, (std::vector<Id>{7, 9}));
+    }
+}
+
 TEST(D3plot, LeavesOutWhatHasEroded)
 {
     TemporaryFolder folder;
