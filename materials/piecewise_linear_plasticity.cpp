@@ -82,7 +82,12 @@ void read_rate(const Record& record, const Model& model, PiecewiseLinearPlastici
         reject_field(record, "VP", fmt::format("rate formulation {} is not supported (-1, 0 or 1)", option));
     }
     const Rate formulation = option == 1 ? Rate::viscoplastic : Rate::scaled;
-    if (law.hardening.depends_on_rate()) law.rate = formulation;
+    law.deviatoric_rate = option == -1;
+    // A table goes before LCSR and before C and P (keyword manual, volume II).
+    if (law.hardening.depends_on_rate()) {
+        law.rate = formulation;
+        return;
+    }
     if (record.integer("LCSR") != 0) {
         law.rate = formulation;
         law.rate_factor = curve_of(record, "LCSR", model).curve;

@@ -20,7 +20,7 @@ struct PiecewiseLinearPlasticity {
     /// How strain rate raises the yield stress.
     enum class Rate {
         none,
-        scaled,      ///< VP = 0: the static yield stress times a factor of the total strain rate
+        scaled,      ///< VP = 0, -1: the static yield stress times a factor of the strain rate
         viscoplastic ///< VP = 1: a part that depends on the plastic strain rate
     };
 
@@ -29,8 +29,9 @@ struct PiecewiseLinearPlasticity {
     double poisson_ratio; ///< [-]
     Hardening hardening;
     Rate rate = Rate::none;
-    double reference_rate = 0; ///< C of Cowper & Symonds [1/time]; 0: not used
-    double rate_exponent = 0;  ///< 1 / P
+    bool deviatoric_rate = false; ///< VP = -1: the rate of shape alone; in shells and beams always so
+    double reference_rate = 0;    ///< C of Cowper & Symonds [1/time]; 0: not used
+    double rate_exponent = 0;     ///< 1 / P
     double overstress = 0;     ///< VP = 1: stress that the rate term multiplies; 0: the static yield stress
     Curve rate_factor;         ///< LCSR over strain rate; no points: not used
     double lowest_factor = 1;  ///< smallest factor at any rate
@@ -122,6 +123,12 @@ private:
     struct RateOfStep {
         Lane scale, total_rate;
     };
+    /// What the change of volume has in the square of a strain increment, where it is not to count.
+    template <class Lane>
+    Lane volume_share(Lane volume) const
+    {
+        return deviatoric_rate ? (1.0 / 3) * volume * volume : Lane{};
+    }
     template <class Lane>
     RateOfStep<Lane> rate_of_step(Lane strain_square, double time_step) const
     {
@@ -211,7 +218,8 @@ private:
         const double triple_shear = 3 * shear_modulus();
         const Lane old_strain = history[plastic_strain];
         const Lane trial = sqrt(squared);
-        const RateOfStep<Lane> step_rate = rate_of_step(contract(increment, increment), time_step);
+        const RateOfStep<Lane> step_rate =
+            rate_of_step(contract(increment, increment) - volume_share(trace(increment)), time_step);
         const auto at = [&](Lane plastic) {
             const Yield<Lane> now = yield<Lane>(old_strain + plastic, plastic, step_rate, time_step);
             const Lane equivalent = trial - triple_shear * plastic;

@@ -20,7 +20,8 @@ void StepControl::choose(Clock& clock, const std::vector<std::unique_ptr<Term>>&
     const TimeControls& control = model_.controls.time;
     const double scale = control.step_scale;
     double step = scale * stable_;
-    if (control.mass_scaled_step > 0) step = scale * control.mass_scaled_step;
+    // Masses are scaled once: where elements, or contacts, ask for less later on, the step follows them.
+    if (control.mass_scaled_step > 0) step = std::min(step, scale * control.mass_scaled_step);
     if (control.largest_step_curve != none) {
         step = std::min(step, model_.curves[control.largest_step_curve].curve(clock.time));
     }

@@ -121,7 +121,7 @@ struct QuadraticKernel {
     }
 };
 
-/// Wendland C2 (1995) with support 2 h, the kernel of seed 000 and of DualSPHysics.
+/// Wendland C2 (1995) with support 2 h, the kernel of DualSPHysics.
 struct WendlandC2 {
     static constexpr std::string_view name = "Wendland C2";
     static constexpr double support = 2;

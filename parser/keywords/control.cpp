@@ -30,7 +30,12 @@ void read_timestep(const Record& record, const Block&, Reading& reading)
     time.shell_length_rule = whole(record, "ISDO");
     time.mass_scaled_step = record.real("DT2MS");
     time.largest_step_curve = reading.find(record, "LCTM", Kind::curve);
-    time.erode_small_step = record.integer("ERODE") == 1;
+    const Id erode = record.integer("ERODE");
+    time.erode_small_step = erode % 10 == 1;
+    if (erode >= 10) {
+        reading.warning(record, "ERODE",
+                        "shells are not deleted by DTMIN; TDEL of their material deletes them by their step");
+    }
     if (time.step_scale < 0) reading.error(record, "TSSFAC", "the scale of the step is negative");
 }
 

@@ -1,5 +1,6 @@
 #include "materials/piecewise_linear_plasticity.h"
 
+#include "tests/support/law_driver.h"
 #include "tests/support/records.h"
 
 #include <gtest/gtest.h>
@@ -202,6 +203,34 @@ TEST(PiecewiseLinearPlasticity, TablesInterpolateBetweenRates)
                 EXPECT_NEAR(point.stress.xx, stress, viscoplastic ? 2e-3 : 1e-6) << rate;
             }
         }
+    }
+}
+
+/// C and P beside a table are not used (keyword manual, volume II).
+TEST(PiecewiseLinearPlasticity, ATableGoesBeforeCowperAndSymonds)
+{
+    const Law alone = law_of({{"LCSS", 20}}), both = law_of({{"LCSS", 20}, {"C", 40}, {"P", 5}});
+    const Law with_curve = law_of({{"LCSS", 20}, {"LCSR", 12}});
+    Point first(alone), second(both), third(with_curve);
+    stretch(alone, first, 0.05, 500, 1e-4 / 5, true);
+    stretch(both, second, 0.05, 500, 1e-4 / 5, true);
+    stretch(with_curve, third, 0.05, 500, 1e-4 / 5, true);
+    EXPECT_EQ(first.stress.xx, second.stress.xx);
+    EXPECT_EQ(first.stress.xx, third.stress.xx);
+}
+
+/// Uniaxial strain at rate r: sqrt(2/3 d:d) is sqrt(2/3) r of the whole strain (VP = 0) and 2/3 r of its
+/// deviatoric part (VP = -1).
+TEST(PiecewiseLinearPlasticity, DeviatoricRatesLeaveTheVolumeOut)
+{
+    const double reference = 40, exponent = 5, rate = 100, strain = 0.02;
+    for (const int option : {0, -1}) {
+        const Law law = law_of({{"C", reference}, {"P", exponent}, {"VP", option}});
+        testing::DrivenPoint<Law> point(law);
+        point.strain({strain, 0, 0, 0, 0, 0}, 200, strain / rate);
+        const double seen = rate * (option == 0 ? std::sqrt(2.0 / 3) : 2.0 / 3);
+        const double factor = 1 + std::pow(seen / reference, 1 / exponent);
+        EXPECT_NEAR(point.stress.xx - point.stress.yy, yield_stress * factor, 1e-9) << option;
     }
 }
 
