@@ -185,6 +185,7 @@ EdgePoints closest_points(const Vec3& p0, const Vec3& p1, const Vec3& q0, const 
 
 EdgeContact::EdgeContact(const Contact& contact, const Model& model, const std::vector<PartData>& parts)
     : contact_(contact),
+      name_(name_of("edge contact", contact)),
       model_(model),
       edges_(contact_edges(model, parts, contact)),
       lumped_(lumped_masses(model, parts))

@@ -56,7 +56,7 @@ public:
     EdgeContact(const Contact& contact, const Model& model, const std::vector<PartData>& parts);
 
     void serialise(Archive& archive) override;
-    std::string_view name() const override { return "edge contact"; }
+    std::string_view name() const override { return name_; }
     std::size_t items() const override { return edges_.size(); }
     void add_forces(const Clock& clock, State& state) override;
     StepVote stable_step() const override { return vote_; }
@@ -72,6 +72,7 @@ private:
         Index first, second;
     };
     const Contact& contact_;
+    std::string name_;
     const Model& model_;
     std::vector<ContactEdge> edges_;
     std::vector<std::vector<Index>> at_node_; ///< edges by place in `nodes_`

@@ -1,6 +1,7 @@
 #include "contact/part_data.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace plash {
@@ -39,6 +40,11 @@ double bulk_of_state_equation(const Record& state_equation, double density)
 }
 
 } // namespace
+
+std::string name_of(std::string_view kind, const Contact& contact)
+{
+    return contact.id == 0 ? std::string(kind) : fmt::format("{} {}", kind, contact.id);
+}
 
 double bulk_modulus_of(const Model& model, const Part& part)
 {

@@ -16,6 +16,9 @@ struct PartData {
     bool rigid = false;
 };
 
+/// Name of a contact's term, with the number by which the deck knows it.
+std::string name_of(std::string_view kind, const Contact& contact);
+
 /// Bulk modulus from E and PR (or what the law has in their place), else from the equation of state.
 double bulk_modulus_of(const Model& model, const Part& part);
 

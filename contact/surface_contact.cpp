@@ -51,6 +51,7 @@ ContactMesh mesh_of(const Contact& contact, const Model& model, const std::vecto
 
 SurfaceContact::SurfaceContact(const Contact& contact, const Model& model, const std::vector<PartData>& parts)
     : contact_(contact),
+      name_(name_of("contact", contact)),
       model_(model),
       mesh_(mesh_of(contact, model, parts)),
       search_(mesh_, model.solids.nodes),

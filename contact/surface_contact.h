@@ -24,7 +24,7 @@ class SurfaceContact : public Term {
 public:
     SurfaceContact(const Contact& contact, const Model& model, const std::vector<PartData>& parts);
 
-    std::string_view name() const override { return "contact"; }
+    std::string_view name() const override { return name_; }
     std::size_t items() const override { return mesh_.nodes.size(); }
     void add_forces(const Clock& clock, State& state) override;
     void constrain(const Clock& clock, State& state) override;
@@ -60,6 +60,7 @@ private:
         double stiffness = 0; ///< of all touches now [force/length]
     };
     const Contact& contact_;
+    std::string name_;
     const Model& model_;
     ContactMesh mesh_;
     PairSearch search_;

@@ -91,11 +91,14 @@ std::vector<double> node_areas(const Surface& surface, const std::vector<Vec3>& 
 class TiedContact : public Term {
 public:
     TiedContact(const Contact& contact, TiedSprings springs, std::vector<std::string> notices)
-        : contact_(contact), springs_(std::move(springs)), notices_(std::move(notices))
+        : contact_(contact),
+          name_(name_of("tied contact", contact)),
+          springs_(std::move(springs)),
+          notices_(std::move(notices))
     {}
 
     void serialise(Archive& archive) override { springs_.serialise(archive); }
-    std::string_view name() const override { return "tied contact"; }
+    std::string_view name() const override { return name_; }
     std::size_t items() const override { return springs_.size(); }
     void add_forces(const Clock& clock, State& state) override;
     StepVote stable_step() const override { return springs_.vote(); }
@@ -106,6 +109,7 @@ public:
 
 private:
     const Contact& contact_;
+    std::string name_;
     TiedSprings springs_;
     std::vector<std::string> notices_;
 };

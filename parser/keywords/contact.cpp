@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace plash {
 namespace {
@@ -252,6 +253,19 @@ void read_contact_control(const Record& record, const Block&, Reading& reading)
     defaults.dynamic_friction = record.real("DFRIC");
 }
 
+/// Contacts without a number get that of their place in the deck, as LS-DYNA counts them, or the next that is
+/// free.
+void number_contacts(std::vector<Contact>& contacts)
+{
+    std::set<Id> taken;
+    for (const Contact& contact : contacts) taken.insert(contact.id);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        if (contacts[i].id != 0) continue;
+        contacts[i].id = static_cast<Id>(i) + 1;
+        while (!taken.insert(contacts[i].id).second) ++contacts[i].id;
+    }
+}
+
 constexpr Translator contact_table[] = {
     {"CONTROL_CONTACT", Phase::conditions, read_contact_control},
     {"CONTACT_AIRBAG_SINGLE_SURFACE", Phase::conditions, read_contact},
@@ -279,6 +293,7 @@ std::span<const Translator> contact_keywords()
 void finish_contacts(Reading& reading)
 {
     const ContactDefaults& defaults = reading.contact_defaults;
+    number_contacts(reading.model.contacts);
     for (Contact& contact : reading.model.contacts) {
         contact.penalty_scale = defaults.penalty_scale;
         contact.penalty_option = defaults.penalty_option;

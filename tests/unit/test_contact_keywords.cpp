@@ -112,7 +112,7 @@ TEST(ContactKeyword, TiebreakOptionThatIsNotThere)
         read({"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", K::two_way, M::penalty, "9,5.0,5.0\n"}, "");
     ASSERT_EQ(result.report.errors.size(), 1u);
     EXPECT_EQ(result.report.errors[0].field, "OPTION");
-    EXPECT_NE(result.report.errors[0].text.find("9 is not supported; 2, 4, 6 and 8 are"), std::string::npos);
+    EXPECT_NE(result.report.errors[0].text.find("9 is not supported; 1, 2, 3, 4, 6 and 8 are"), std::string::npos);
 }
 
 /// SOFT = 2 looks at edges where DEPTH says so.
@@ -133,6 +133,26 @@ TEST(ContactKeywordsOfSegments, DepthAsksForEdges)
     }
     for (const int depth : {0, 2, 4}) EXPECT_FALSE(edges_of("AUTOMATIC_SINGLE_SURFACE", 2, depth)) << depth;
     EXPECT_TRUE(edges_of("AUTOMATIC_GENERAL", 0, 2));
+}
+
+/// Contacts without a number are counted as they stand in the deck; numbers that are given stay.
+TEST(ContactNumbers, FollowTheDeck)
+{
+    const testing::TemporaryFolder folder;
+    std::ofstream file(folder / "deck.k");
+    file << "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,1.0,1.0,0.3\n"
+            "*PART\na\n1,1,1\n";
+    const std::string bare = "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n",
+                      numbered = bare.substr(0, bare.size() - 1);
+    file << bare << "1,,3\n0\n0\n"
+         << numbered << "_ID\n2,given\n1,,3\n0\n0\n"
+         << bare << "1,,3\n0\n0\n"
+         << bare << "1,,3\n0\n0\n*END\n";
+    file.close();
+    const ReadResult result = read_model(folder / "deck.k");
+    std::vector<Id> ids;
+    for (const Contact& contact : result.model.contacts) ids.push_back(contact.id);
+    EXPECT_EQ(ids, (std::vector<Id>{1, 2, 3, 4}));
 }
 
 } // namespace plash
