@@ -39,6 +39,22 @@ double bulk_of_state_equation(const Record& state_equation, double density)
     return first_given(state_equation, {"K0", "A", "C1"});
 }
 
+/// Shear modulus at small strains [stress].
+double shear_modulus_of(const Record& material)
+{
+    const auto sum = [&](const char* a, const char* b) {
+        return 2 * (first_given(material, {a}) + first_given(material, {b}));
+    };
+    if (material.keyword == "MAT_MOONEY-RIVLIN_RUBBER") return sum("A", "B");
+    if (material.keyword == "MAT_HYPERELASTIC_RUBBER") return sum("C10", "C01"); // its G is one of damping
+    if (material.keyword != "MAT_OGDEN_RUBBER") return first_given(material, {"G", "GI", "G0"});
+    double half = 0;
+    for (int i = 1; i <= 8; ++i) {
+        half += 0.5 * material.real("MU" + std::to_string(i)) * material.real("ALPHA" + std::to_string(i));
+    }
+    return half;
+}
+
 } // namespace
 
 std::string name_of(std::string_view kind, const Contact& contact)
@@ -51,15 +67,14 @@ double bulk_modulus_of(const Model& model, const Part& part)
     if (part.material == none) return 0;
     const Record& material = model.materials[part.material];
     const double young = first_given(material, {"E", "YM", "EA", "EX"});
-    const double poisson = first_given(material, {"PR", "NU", "PRBA"});
+    const bool blatz_ko = material.keyword == "MAT_BLATZ-KO_RUBBER"; // its Poisson's ratio is part of the law
+    const double poisson = blatz_ko ? 0.463 : first_given(material, {"PR", "NU", "PRBA"});
     if (young > 0) return young / (3 * (1 - 2 * std::min(poisson, 0.499)));
     const double bulk = first_given(material, {"K", "BULK", "KUN", "BULKM"});
     if (bulk > 0) return bulk;
-    const double shear = first_given(material, {"G", "GI", "G0"});
-    const double mooney = 2 * (first_given(material, {"A"}) + first_given(material, {"B"}));
-    const double any_shear = shear > 0 ? shear : mooney;
-    if (any_shear > 0 && poisson > 0) {
-        return 2 * any_shear * (1 + poisson) / (3 * (1 - 2 * std::min(poisson, 0.499)));
+    const double shear = shear_modulus_of(material);
+    if (shear > 0 && poisson > 0) {
+        return 2 * shear * (1 + poisson) / (3 * (1 - 2 * std::min(poisson, 0.499)));
     }
     if (part.equation_of_state == none) return 0;
     return bulk_of_state_equation(model.equations_of_state[part.equation_of_state],

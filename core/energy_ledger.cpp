@@ -7,7 +7,7 @@ namespace plash {
 
 void EnergyLedger::open_cycle(std::size_t part_count)
 {
-    kinetic = internal = hourglass = bulk_viscosity = sliding = rigid_wall = damping = 0;
+    kinetic = internal = hourglass = bulk_viscosity = springs = sliding = rigid_wall = damping = 0;
     eroded_kinetic = eroded_internal = eroded_hourglass = advection_loss = external_work = preload_work = 0;
     part_internal.assign(part_count, 0);
     part_hourglass.assign(part_count, 0);

@@ -15,6 +15,7 @@ struct EnergyLedger {
     double internal = 0;
     double hourglass = 0;
     double bulk_viscosity = 0; ///< dissipated by bulk viscosity; part of `internal`, shown apart
+    double springs = 0;        ///< of springs, dampers and joint stiffnesses; part of `internal`, shown apart
     double sliding = 0;
     double rigid_wall = 0;
     double damping = 0;

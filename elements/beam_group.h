@@ -112,8 +112,8 @@ private:
         keep(step.preload_work);
     }
 
-    /// Elements that break in this cycle: by their resultants, at their failure time, or when all points have
-    /// failed.
+    /// Elements that break in this cycle: by their resultants, at their failure time, when all points have
+    /// failed, or enough of them under *MAT_ADD_EROSION.
     LaneMask lost_in(const Clock& clock, Lanes* record, const LaneMask& broken) const
     {
         LaneMask lost = broken;
@@ -128,6 +128,15 @@ private:
                 }
                 if (layout.count > 0) lost |= failed;
             }
+        }
+        if constexpr (requires(HistoryView<Lanes> history) { law_.eroded(history); }) {
+            const BeamStore::PointLayout layout = point_layout(store_.settings.section);
+            Lanes count{};
+            for (int point = 0; point < layout.count; ++point) {
+                Lanes* history = record + layout.first + point * layout.size + 3;
+                count += law_.eroded(HistoryView<Lanes>{history}) ? broadcast<Lanes>(1) : Lanes{};
+            }
+            lost |= count >= static_cast<double>(store_.settings.points_to_erode);
         }
         return lost;
     }

@@ -1,6 +1,5 @@
 #include "elements/beam_groups.h"
 
-#include "elements/erosion.h"
 #include "materials/parameters.h"
 
 #include <fmt/format.h>
@@ -40,10 +39,6 @@ void add_group(const BeamPart& beams, State& state, std::vector<std::unique_ptr<
     }
     const Record& material = beams.model.materials[part.material];
     if (beams.model.is_rigid(beams.part)) return;
-    if (erosion_criteria(beams.model, material)) {
-        throw DeckError(part.where,
-                        fmt::format("*PART {}: *MAT_ADD_EROSION is supported for solids only", part.id));
-    }
     BeamSettings settings;
     settings.section = beam_section(beams.model, part);
     if (material.keyword == "MAT_NULL") {

@@ -25,8 +25,9 @@ struct BeamSettings {
     double shear_modulus = 0; ///< [stress]
     double wave_speed = 0;    ///< of a bar [velocity]
     WeldStrength strength;
-    bool points_fail = false;                                      ///< the law has a failure strain
-    double failure_time = std::numeric_limits<double>::infinity(); ///< TFAIL [time]
+    bool points_fail = false; ///< the law has a failure strain
+    int points_to_erode = 0;  ///< *MAT_ADD_EROSION: so many failed points take a beam; 0: none
+    double failure_time = std::numeric_limits<double>::infinity(); ///< TFAIL, FAILTM [time]
 };
 
 /// Where the values of an element stand in its record, before those of its formulation.

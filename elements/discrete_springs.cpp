@@ -152,6 +152,7 @@ void Springs::report(EnergyLedger& ledger) const
 {
     for (std::size_t part = 0; part < part_energy_.size(); ++part) {
         if (part_energy_[part] != 0) ledger.add_part(static_cast<int>(part), part_energy_[part], 0);
+        ledger.springs += part_energy_[part];
     }
 }
 

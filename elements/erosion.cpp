@@ -1,12 +1,9 @@
 #include "elements/erosion.h"
 
-#include "materials/parameters.h"
 #include "math/tensor3.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
-#include <numbers>
 
 namespace plash {
 
@@ -43,59 +40,6 @@ SymmetricTensor<double> right_cauchy_green(const Tensor3<double>& f)
 
 } // namespace
 
-std::array<double, 3> principal_values(const SymmetricTensor<double>& t)
-{
-    const double mean = trace(t) / 3;
-    const SymmetricTensor<double> s = deviator(t);
-    const double j2 = 0.5 * contract(s, s);
-    if (j2 <= 1e-30 * (mean * mean)) return {mean, mean, mean};
-    const double j3 = s.xx * (s.yy * s.zz - s.yz * s.yz) - s.xy * (s.xy * s.zz - s.yz * s.zx) +
-                      s.zx * (s.xy * s.yz - s.yy * s.zx);
-    // Lode angle (Malvern 1969).
-    const double cosine = std::clamp(1.5 * std::sqrt(3.0) * j3 / std::pow(j2, 1.5), -1.0, 1.0);
-    const double angle = std::acos(cosine) / 3, radius = 2 * std::sqrt(j2 / 3);
-    const double third = 2 * std::numbers::pi / 3;
-    return {mean + radius * std::cos(angle), mean + radius * std::cos(angle - third),
-            mean + radius * std::cos(angle + third)};
-}
-
-std::optional<ErosionCriteria> erosion_criteria(const Model& model, const Record& material)
-{
-    for (const Record& record : model.others) {
-        if (record.keyword != "MAT_ADD_EROSION" || record.integer("MID") != material.id) continue;
-        if (record.integer("IDAM") != 0) {
-            reject_field(record, "IDAM", "damage models (DIEM, GISSMO) are not supported; 0 is");
-        }
-        const double excluded = record.real("EXCL");
-        const auto limit = [&](const char* field, bool curve_below_zero = false) -> std::optional<double> {
-            const double value = record.real(field);
-            if (value == excluded || value == 0) return {};
-            if (curve_below_zero && value < 0) {
-                reject_field(record, field,
-                             "a curve in place of a limit (a negative value) is not supported");
-            }
-            return value;
-        };
-        ErosionCriteria criteria;
-        criteria.largest_pressure = limit("MXPRES");
-        criteria.smallest_pressure = limit("MNPRES");
-        criteria.largest_principal_stress = limit("SIGP1", true);
-        criteria.largest_equivalent = limit("SIGVM", true);
-        criteria.smallest_strain = limit("MNEPS");
-        criteria.largest_strain = limit("MXEPS", true);
-        criteria.effective_strain = limit("EFFEPS", true);
-        criteria.volume_strain = limit("VOLEPS");
-        criteria.shear_strain = limit("EPSSH");
-        criteria.impulse = limit("IMPULSE");
-        criteria.impulse_threshold = record.real("SIGTH");
-        criteria.failure_time = limit("FAILTM");
-        const double needed = record.real("NCS", 1);
-        criteria.needed = needed == excluded || needed < 1 ? 1 : static_cast<int>(needed);
-        return criteria;
-    }
-    return {};
-}
-
 SolidErosion::SolidErosion(const ErosionCriteria& criteria, Index batches)
     : criteria_(criteria),
       inverse_(criteria.needs_strain() ? 9 * static_cast<std::size_t>(batches) : 0),
@@ -117,6 +61,7 @@ LaneMask SolidErosion::lost(Index batch, const SolidModes<Lanes>& position, cons
                             double time_step)
 {
     LaneMask result{};
+    const bool timed_out = criteria_.failure_time && time >= *criteria_.failure_time;
     for (int lane = 0; lane < lane_count; ++lane) {
         const SymmetricTensor<double> s{stress[0][lane], stress[1][lane], stress[2][lane],
                                         stress[3][lane], stress[4][lane], stress[5][lane]};
@@ -134,38 +79,9 @@ LaneMask SolidErosion::lost(Index batch, const SolidModes<Lanes>& position, cons
             impulse_[batch][lane] += above * above * time_step;
             impulse = impulse_[batch][lane];
         }
-        result[lane] = goes(s, strain, impulse, time) ? -1 : 0;
+        result[lane] = timed_out || criteria_.hold(s, strain, impulse) ? -1 : 0;
     }
     return result;
-}
-
-bool SolidErosion::goes(const SymmetricTensor<double>& stress, const std::array<double, 3>& strain,
-                        double impulse, double time) const
-{
-    const ErosionCriteria& c = criteria_;
-    if (c.failure_time && time >= *c.failure_time) return true;
-    int met = 0;
-    const double pressure = -trace(stress) / 3;
-    if (c.largest_pressure) met += pressure >= *c.largest_pressure;
-    if (c.smallest_pressure) met += pressure <= *c.smallest_pressure;
-    if (c.largest_principal_stress) met += principal_values(stress)[0] >= *c.largest_principal_stress;
-    if (c.largest_equivalent) {
-        const SymmetricTensor<double> s = deviator(stress);
-        met += std::sqrt(1.5 * contract(s, s)) >= *c.largest_equivalent;
-    }
-    if (c.smallest_strain) met += strain[2] <= *c.smallest_strain;
-    if (c.largest_strain) met += strain[0] >= *c.largest_strain;
-    const double volume = strain[0] + strain[1] + strain[2];
-    if (c.volume_strain)
-        met += *c.volume_strain > 0 ? volume >= *c.volume_strain : volume <= *c.volume_strain;
-    if (c.effective_strain) {
-        double square = 0;
-        for (double e : strain) square += (e - volume / 3) * (e - volume / 3);
-        met += std::sqrt(2.0 / 3 * square) >= *c.effective_strain;
-    }
-    if (c.shear_strain) met += 0.5 * (strain[0] - strain[2]) >= *c.shear_strain;
-    if (c.impulse) met += impulse >= *c.impulse;
-    return met >= c.needed;
 }
 
 } // namespace plash

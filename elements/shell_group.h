@@ -16,6 +16,7 @@ public:
                  plastic_strain_of_law())
     {
         if constexpr (requires { law_.start(store_); }) law_.start(store_);
+        store_.take_initial_stresses(part, state);
         store_.add_masses(state);
     }
 
@@ -43,7 +44,7 @@ public:
     {
         store_.patches.for_each(state, true,
                                 [&](std::ptrdiff_t number, const Patches::Patch& patch, NodeCopies& copies) {
-                                    work_on_patch(patch, copies, clock.last_step, store_.sums[number]);
+                                    work_on_patch(clock, patch, copies, store_.sums[number]);
                                 });
         store_.close_cycle(state);
     }
@@ -63,9 +64,10 @@ private:
         }
     }
 
-    void work_on_patch(const Patches::Patch& patch, NodeCopies& copies, double time_step,
+    void work_on_patch(const Clock& clock, const Patches::Patch& patch, NodeCopies& copies,
                        ShellStore::PatchSums& sums)
     {
+        const double time_step = clock.last_step;
         Lanes internal{}, hourglass{}, viscous{};
         Lanes shortest = broadcast<Lanes>(eroded_length);
         LaneMask shortest_batch{};
@@ -90,7 +92,7 @@ private:
             add(copies.force, step.force);
             add(copies.moment, step.moment);
             if (active < lane_count) clear_spare_lanes(active, step);
-            note_lost(batch, active, step.squared_length, sums);
+            note_lost(clock, batch, active, step.squared_length, sums);
             internal += step.internal_work;
             hourglass += step.hourglass_work;
             viscous += step.viscous_work;
@@ -109,8 +111,10 @@ private:
         }
     }
 
-    /// Elements all of whose points have failed, and those whose step has fallen below what the deck allows.
-    void note_lost(Index batch, int active, Lanes squared_length, ShellStore::PatchSums& sums)
+    /// Elements all of whose points have failed, or enough of them under *MAT_ADD_EROSION, or whose time has
+    /// come, and those whose step has fallen below what the deck allows.
+    void note_lost(const Clock& clock, Index batch, int active, Lanes squared_length,
+                   ShellStore::PatchSums& sums)
     {
         const ShellSettings& settings = store_.settings;
         LaneMask lost = squared_length < settings.shortest_squared_length;
@@ -137,6 +141,18 @@ private:
                 }
                 lost |= failed & (store_.record(batch)[shell_record::mass_factor] > 0.0);
             }
+        }
+        if constexpr (requires(HistoryView<Lanes> history) { law_.eroded(history); }) {
+            constexpr int point_size = shell_record::history + static_cast<int>(Law::history_size);
+            Lanes* history = store_.record(batch) + shell_record::points + shell_record::history;
+            Lanes count{};
+            const int points = Formulation::plane_points * settings.rule.size();
+            for (int point = 0; point < points; ++point, history += point_size) {
+                count += law_.eroded(HistoryView<Lanes>{history}) ? broadcast<Lanes>(1) : Lanes{};
+            }
+            LaneMask enough = count >= static_cast<double>(settings.points_to_erode);
+            if (clock.time >= settings.failure_time) enough = ~LaneMask{};
+            lost |= enough & (store_.record(batch)[shell_record::mass_factor] > 0.0);
         }
         if (!any(lost)) return;
         for (int lane = 0; lane < active; ++lane) {

@@ -14,6 +14,8 @@ enum class ShellFormulation { belytschko_tsay, triangle, fully_integrated };
 using ShellGroupMaker = std::unique_ptr<Term>(const ShellPart& part, ShellFormulation formulation,
                                               State& state);
 
+ShellGroupMaker make_compression_tension_shells;
+ShellGroupMaker make_damaged_plasticity_shells;
 ShellGroupMaker make_elastic_shells;
 ShellGroupMaker make_johnson_cook_shells;
 ShellGroupMaker make_laminate_shells;

@@ -1,6 +1,5 @@
 #include "elements/shell_groups.h"
 
-#include "elements/erosion.h"
 #include "elements/shell_group_makers.h"
 #include "elements/shell_mass.h"
 #include "materials/parameters.h"
@@ -28,6 +27,8 @@ constexpr std::pair<std::string_view, ShellGroupMaker*> makers[] = {
     {"MAT_POWER_LAW_PLASTICITY", make_piecewise_linear_shells},
     {"MAT_SIMPLIFIED_JOHNSON_COOK", make_piecewise_linear_shells},
     {"MAT_PLASTIC_KINEMATIC", make_plastic_kinematic_shells},
+    {"MAT_PLASTICITY_COMPRESSION_TENSION", make_compression_tension_shells},
+    {"MAT_PLASTICITY_WITH_DAMAGE", make_damaged_plasticity_shells},
 };
 
 /// Who makes the group of a part; null for a rigid part.
@@ -40,10 +41,6 @@ ShellGroupMaker* maker_of(const Model& model, Index part_index)
     }
     const Record& material = model.materials[part.material];
     if (model.is_rigid(part_index)) return nullptr;
-    if (erosion_criteria(model, material)) {
-        throw DeckError(part.where,
-                        fmt::format("*PART {}: *MAT_ADD_EROSION is supported for solids only", part.id));
-    }
     for (const auto& [keyword, maker] : makers) {
         if (material.keyword == keyword) return maker;
     }
@@ -148,7 +145,8 @@ void add_groups(ShellGroupMaker* maker, const ShellPart& all, State& state,
                             model.shells.id[element], part.id));
         }
         const GroupKey key{triangle && sorted, stack_of(model, element)};
-        members.try_emplace(key, ShellPart{model, all.part, {}}).first->second.elements.push_back(element);
+        members.try_emplace(key, ShellPart{model, all.part, {}, all.initial_stresses})
+            .first->second.elements.push_back(element);
     }
     for (const auto& [key, shells] : members) {
         ShellGroupMaker* make = key.second.empty() ? maker : make_laminate_shells;
@@ -164,6 +162,7 @@ std::vector<std::unique_ptr<Term>> make_shell_groups(const Model& model, State& 
     for (Index element = 0; element < static_cast<Index>(model.shells.size()); ++element) {
         elements[model.shells.part[element]].push_back(element);
     }
+    const InitialStresses initial_stresses = initial_shell_stresses(model);
     std::vector<std::unique_ptr<Term>> groups;
     for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part) {
         if (elements[part].empty()) continue;
@@ -174,7 +173,7 @@ std::vector<std::unique_ptr<Term>> make_shell_groups(const Model& model, State& 
         ShellGroupMaker* maker = maker_of(model, part);
         if (!maker) continue;
         state.need_rotation();
-        add_groups(maker, {model, part, std::move(elements[part])}, state, groups);
+        add_groups(maker, {model, part, std::move(elements[part]), &initial_stresses}, state, groups);
     }
     return groups;
 }

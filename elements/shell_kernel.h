@@ -38,6 +38,8 @@ struct ShellSettings {
     bool membrane = false;              ///< ELFORM 5, 9: one point, no bending and no transverse shear
     std::string notice;                 ///< what the user should know of the formulation; empty: nothing
     bool points_fail = false;           ///< the law has a failure strain
+    int points_to_erode = 0;            ///< *MAT_ADD_EROSION: so many failed points take an element; 0: none
+    double failure_time = 1e300;        ///< FAILTM: all elements go [time]
     double shortest_squared_length = 0; ///< elements whose step needs a shorter one are deleted [length^2]
 };
 

@@ -1,5 +1,6 @@
 #include "elements/shell_laminate.h"
 
+#include "elements/erosion_criteria.h"
 #include "elements/shell_group_makers.h"
 #include "elements/shell_group_of_law.h"
 #include "elements/shell_mass.h"
@@ -62,6 +63,11 @@ double own_angle(const Record& material)
 
 PlyLaw ply_law(const Model& model, const Part& part, const Record& material)
 {
+    if (erosion_criteria(model, material)) {
+        throw DeckError(part.where,
+                        fmt::format("*PART {}: *MAT_ADD_EROSION is not supported for plies (*{} {})", part.id,
+                                    material.keyword, material.id));
+    }
     if (material.keyword == "MAT_ORTHOTROPIC_ELASTIC")
         return OrthotropicElastic::from_record(material, model);
     if (material.keyword == "MAT_COMPOSITE_DAMAGE" || material.keyword == "MAT_ENHANCED_COMPOSITE_DAMAGE") {

@@ -3,6 +3,7 @@
 #include "elements/shell_mass.h"
 #include "materials/parameters.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -11,22 +12,66 @@ namespace plash {
 
 namespace {
 
-void read_section(const Record& section, bool laminate, ShellSettings& settings)
+/// *INTEGRATION_SHELL: places and weights of the deck, or layers of equal thickness (ESOP = 1).
+ThicknessRule user_rule(const Model& model, const Record& section, Id number)
+{
+    for (const Record& record : model.others) {
+        if (record.keyword != "INTEGRATION_SHELL" || record.integer("IRID") != number) continue;
+        ThicknessRule rule;
+        const Id points = record.integer("NIP");
+        if (points < 1) reject_field(record, "NIP", fmt::format("{} is no number of points", points));
+        if (record.integer("ESOP") == 1) {
+            for (Id point = 0; point < points; ++point) {
+                rule.place.push_back(-1 + (2.0 * point + 1) / points);
+                rule.weight.push_back(1.0 / points);
+            }
+            return rule;
+        }
+        const Table* rows = record.table("S");
+        if (!rows || rows->rows() == 0) reject_field(record, "NIP", "the rule has no points");
+        std::vector<std::pair<double, double>> given;
+        double sum = 0;
+        for (std::size_t row = 0; row < rows->rows(); ++row) {
+            const double place = rows->at(row, 0), weight = rows->at(row, 1);
+            if (!(place >= -1 && place <= 1 && weight > 0) || rows->at(row, 2) != 0) {
+                throw DeckError(
+                    {record.where.file, rows->lines[row]},
+                    fmt::format("*INTEGRATION_SHELL {}: the point S = {}, WF = {}, PID = {} is not one from "
+                                "-1 to 1 with a positive weight and the part's own material (PID = 0)",
+                                number, place, weight, rows->at(row, 2)));
+            }
+            given.emplace_back(place, weight);
+            sum += weight;
+        }
+        std::sort(given.begin(), given.end()); // from the bottom
+        for (const auto& [place, weight] : given) {
+            rule.place.push_back(place);
+            rule.weight.push_back(weight / sum);
+        }
+        return rule;
+    }
+    reject_field(section, "QR/IRID", fmt::format("there is no *INTEGRATION_SHELL {}", number));
+}
+
+void read_section(const Model& model, const Record& section, bool laminate, ShellSettings& settings)
 {
     const Id points = section.integer("NIP") == 0 ? 2 : section.integer("NIP");
     if (points < 1 || points > 10) {
         reject_field(section, "NIP", fmt::format("{} is not a number of points from 1 to 10", points));
     }
     const double rule = section.real("QR/IRID");
-    if (rule != 0 && rule != 1) {
+    if (rule > 1 || (rule > 0 && rule < 1)) {
         reject_field(section, "QR/IRID",
-                     fmt::format("integration rule {} is not supported (0: Gauss, 1: trapezoidal)", rule));
+                     fmt::format("integration rule {} is not supported (0: Gauss, 1: trapezoidal, below 0: "
+                                 "*INTEGRATION_SHELL)",
+                                 rule));
     }
     if (section.integer("ICOMP") != 0 && !laminate) {
         reject_field(section, "ICOMP", "angles of layers say nothing to an isotropic material");
     }
-    settings.rule = rule == 1 && points > 1 ? trapezoidal_rule(static_cast<int>(points))
-                                            : gauss_rule(static_cast<int>(points));
+    settings.rule = rule < 0                  ? user_rule(model, section, -static_cast<Id>(rule))
+                    : rule == 1 && points > 1 ? trapezoidal_rule(static_cast<int>(points))
+                                              : gauss_rule(static_cast<int>(points));
     settings.shear_factor = section.real("SHRF", 1.0);
     if (settings.shear_factor == 0) settings.shear_factor = 1; // empty field
     settings.reference_offset = section.real("NLOC");
@@ -128,7 +173,7 @@ ShellSettings shell_settings(const Model& model, Index part_index, double densit
     const ElementControls& controls = model.controls.elements;
     ShellSettings settings;
     const Record& section = shell_section(model, part);
-    read_section(section, laminate, settings);
+    read_section(model, section, laminate, settings);
     settings.notice = stand_in(part, section.integer("ELFORM", 2));
     settings.hourglass = read_hourglass(model, part);
     if (settings.membrane) settings.hourglass.bending = settings.hourglass.warping = 0;

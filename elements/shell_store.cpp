@@ -2,8 +2,10 @@
 
 #include "core/run_error.h"
 #include "elements/shell_mass.h"
+#include "math/tensor3.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 
 namespace plash {
@@ -67,6 +69,14 @@ SymmetricTensor<double> to_global(const ShellFrame<double>& frame, const Symmetr
             component(&Vec3::x, &Vec3::y), component(&Vec3::y, &Vec3::z), component(&Vec3::z, &Vec3::x)};
 }
 
+/// Components in a frame of a tensor given in global axes.
+SymmetricTensor<double> to_local(const ShellFrame<double>& frame, const SymmetricTensor<double>& global)
+{
+    const Tensor3<double> rows{frame.e1.x, frame.e1.y, frame.e1.z, frame.e2.x, frame.e2.y,
+                               frame.e2.z, frame.e3.x, frame.e3.y, frame.e3.z};
+    return rotated(global, rows);
+}
+
 /// The points whose mean a result layer shows. As many layers as points: one each, from the bottom; three
 /// layers: middle, innermost, outermost (*DATABASE_EXTENT_BINARY MAXINT = 3); otherwise the first points.
 /// A layer without a point is empty (first > last).
@@ -113,6 +123,39 @@ ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings i
         for (int point = 0; point < point_count; ++point) {
             Lanes* variables = values + points + point * point_size_ + history;
             for (double start : initial_history) *variables++ = broadcast<Lanes>(start);
+        }
+    }
+}
+
+void ShellStore::take_initial_stresses(const ShellPart& its, const State& state)
+{
+    using namespace shell_record;
+    if (!its.initial_stresses || its.initial_stresses->empty()) return;
+    for (Index batch = 0; batch < patches.batch_count(); ++batch) {
+        for (int lane = 0; lane < lane_count; ++lane) {
+            const Index element = patches.elements[batch * lane_count + lane];
+            const auto found = its.initial_stresses->find(element);
+            if (found == its.initial_stresses->end()) continue;
+            if (ply_place != none) {
+                throw DeckError(found->second.where,
+                                fmt::format("*INITIAL_STRESS_SHELL: shell {} has plies, whose "
+                                            "stresses cannot be given",
+                                            model.shells.id[element]));
+            }
+            const ShellFrame<double> frame = frame_of(model, state, element);
+            for (int i = 0; i < plane_points_ * settings.rule.size(); ++i) {
+                const auto [column, layer] = std::div(i, settings.rule.size());
+                const InitialStressPoint start =
+                    through_thickness(found->second, settings.rule.place[layer], column);
+                const SymmetricTensor<double> local = to_local(frame, start.stress);
+                Lanes* values = record(batch) + points + i * point_size_;
+                values[stress_xx][lane] = local.xx;
+                values[stress_yy][lane] = local.yy;
+                values[stress_xy][lane] = local.xy;
+                values[stress_yz][lane] = settings.membrane ? 0 : local.yz;
+                values[stress_zx][lane] = settings.membrane ? 0 : local.zx;
+                if (plastic_strain_ != none) values[history + plastic_strain_][lane] = start.plastic_strain;
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 #include "core/energy_ledger.h"
 #include "core/results.h"
 #include "core/term.h"
+#include "elements/initial_stress.h"
 #include "elements/patches.h"
 #include "elements/section_watch.h"
 #include "elements/shell_kernel.h"
@@ -18,7 +19,8 @@ namespace plash {
 struct ShellPart {
     const Model& model;
     Index part = none;
-    std::vector<Index> elements; ///< of the Model
+    std::vector<Index> elements;                       ///< of the Model
+    const InitialStresses* initial_stresses = nullptr; ///< looked at while the group is made
 };
 
 /// Where the state of a shell group is kept between steps, and what does not depend on the law: energies, the
@@ -60,6 +62,8 @@ public:
     /// forces, and their energies stay as eroded) and throws RunError when an energy is no finite number.
     void close_cycle(State& state);
 
+    /// Takes the stresses and plastic strains that the deck gives for the start; DeckError for plies.
+    void take_initial_stresses(const ShellPart& part, const State& state);
     /// Adds the masses and rotary inertias of the elements at the start.
     void add_masses(State& state) const;
     /// As Term::scale_mass: changes the mass of elements so that their step becomes `step`.

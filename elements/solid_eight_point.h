@@ -80,6 +80,8 @@ private:
                 }
             }
         }
+        take_initial_stresses({stress_is_free<Point>, solid_gauss_points, first_gauss_point,
+                               eight_point_size<Point>, Point::plastic_strain});
         finish_start(std::move(first_step), state);
     }
 

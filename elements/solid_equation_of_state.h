@@ -2,6 +2,8 @@
 
 #include "elements/solid_group.h"
 #include "eos/gruneisen.h"
+#include "eos/ideal_gas.h"
+#include "eos/jwl.h"
 #include "eos/linear_polynomial.h"
 #include "eos/tabulated.h"
 
@@ -9,6 +11,17 @@
 #include <memory>
 
 namespace plash {
+
+/// The equation of state of a part whose material has none of its own; DeckError when the part names none.
+inline const Record& need_equation_of_state(const Record& material, const Record* equation_of_state,
+                                            const SolidSetup& setup)
+{
+    if (equation_of_state) return *equation_of_state;
+    const Part& part = setup.model.parts[setup.part];
+    throw DeckError(part.where, fmt::format("*PART {}, field EOSID: the solids of *{} {} need an equation of "
+                                            "state",
+                                            part.id, material.keyword, material.id));
+}
 
 /// Reads a card of an equation of state and hands it to `make`, which returns the group. Sets the relative
 /// volume at the start. DeckError for equations that solids do not have.
@@ -23,10 +36,14 @@ std::unique_ptr<SolidGroup> with_equation_of_state(const Record& card, double de
     };
     if (card.keyword == "EOS_LINEAR_POLYNOMIAL") return with(LinearPolynomial::from_record(card, density));
     if (card.keyword == "EOS_GRUNEISEN") return with(Gruneisen::from_record(card, density));
+    if (card.keyword == "EOS_JWL") return with(Jwl::from_record(card, density));
+    if (card.keyword == "EOS_IDEAL_GAS") return with(IdealGas::from_record(card, density));
     if (card.keyword == "EOS_TABULATED") return with(Tabulated::from_record(card, setup.model));
-    throw DeckError(card.where, fmt::format("*{} {} is not supported for the solids of part {}; there are "
-                                            "EOS_LINEAR_POLYNOMIAL, EOS_GRUNEISEN and EOS_TABULATED",
-                                            card.keyword, card.id, setup.model.parts[setup.part].id));
+    throw DeckError(card.where,
+                    fmt::format("*{} {} is not supported for the solids of part {}; there are "
+                                "EOS_LINEAR_POLYNOMIAL, EOS_JWL, EOS_GRUNEISEN, EOS_TABULATED and "
+                                "EOS_IDEAL_GAS",
+                                card.keyword, card.id, setup.model.parts[setup.part].id));
 }
 
 } // namespace plash

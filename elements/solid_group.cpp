@@ -131,6 +131,48 @@ void SolidGroup::finish_start(std::vector<double> first_step, State& state)
     hold_back_loose_elements(state);
 }
 
+void SolidGroup::take_initial_stresses(const StressPlaces& places)
+{
+    if (!setup_.initial_stresses || setup_.initial_stresses->empty()) return;
+    for_each_element([&](const Patches::Patch&, std::size_t place) {
+        const auto found = setup_.initial_stresses->find(static_cast<Index>(element_of(place)));
+        if (found == setup_.initial_stresses->end()) return;
+        if (places.free) return put_initial_stress(place, found->second, places);
+        const Part& part = setup_.model.parts[setup_.part];
+        throw DeckError(
+            found->second.where,
+            fmt::format("*INITIAL_STRESS_SOLID: the stress of *{} (part {}) follows from its deformation "
+                        "or its equation of state, and cannot be given",
+                        setup_.model.materials[part.material].keyword, part.id));
+    });
+}
+
+void SolidGroup::put_initial_stress(std::size_t place, const InitialStress& initial,
+                                    const StressPlaces& places)
+{
+    Lanes* history = history_of(static_cast<Index>(place / lane_count));
+    const int lane = static_cast<int>(place % lane_count);
+    const std::size_t given = initial.points.size();
+    const InitialStressPoint mean = mean_of(initial);
+    put_stress(mean.stress, history, lane);
+    if (plastic_strain_ >= 0) history[point_history + plastic_strain_][lane] = mean.plastic_strain;
+    if (places.points == 1) return;
+    if (given != 1 && given != solid_gauss_points) {
+        throw DeckError(initial.where,
+                        fmt::format("*INITIAL_STRESS_SOLID, field NINT: {} points for an element that "
+                                    "has 8 (1 or 8)",
+                                    given));
+    }
+    // The deck lists points in the order of the corners next to them.
+    constexpr int corner_of[] = {0, 1, 3, 2, 4, 5, 7, 6}; // of the points of gauss_point()
+    for (int i = 0; i < solid_gauss_points; ++i) {
+        Lanes* point = history + places.first + i * places.size;
+        const InitialStressPoint& one = initial.points[given == 1 ? 0 : corner_of[i]];
+        put_stress(one.stress, point, lane);
+        if (places.plastic_strain >= 0) point[6 + places.plastic_strain][lane] = one.plastic_strain;
+    }
+}
+
 double SolidGroup::mass() const
 {
     double sum = 0;

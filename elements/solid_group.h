@@ -2,6 +2,7 @@
 
 #include "core/term.h"
 #include "elements/erosion.h"
+#include "elements/initial_stress.h"
 #include "elements/patches.h"
 #include "elements/section_watch.h"
 #include "elements/solid_eight_step.h"
@@ -30,7 +31,16 @@ struct SolidSetup {
     std::string notice{};                ///< what the user should know of the formulation; empty: nothing
     double shear_modulus = 0;            ///< elastic, for the bound of the step; 0: a fluid [stress]
     bool erode_inverted = false;         ///< delete elements without volume instead of stopping the run
+    const InitialStresses* initial_stresses = nullptr; ///< looked at while the group is made
 };
+
+/// Whether the stress of a material point may be given at the start: not where it follows from something
+/// else.
+template <class Point>
+inline constexpr bool stress_is_free = [] {
+    if constexpr (requires { Point::stress_is_free; }) return bool{Point::stress_is_free};
+    return false;
+}();
 
 /// Everything of a group of one-point solids that does not depend on the material: elements, history,
 /// energies, votes, loss of elements. SolidOnePoint adds the step itself.
@@ -73,6 +83,17 @@ protected:
     void start_batch(Index batch, const Lanes& volume, const SolidModes<Lanes>& position, const State& state);
     /// Adds the elements' masses to their corners and keeps their first stable steps, batch x lane.
     void finish_start(std::vector<double> first_step, State& state);
+
+    /// Where the stresses of a formulation's points stand in the history of a batch.
+    struct StressPlaces {
+        bool free = false;       ///< the law takes a stress as it is
+        int points = 1;          ///< 1: the mean stress is that of the point
+        int first = 0, size = 0; ///< of several points
+        int plastic_strain = -1; ///< variable of a point's law, or -1
+    };
+    /// Takes the stresses and plastic strains that the deck gives for the start; DeckError for laws whose
+    /// stress follows from something else.
+    void take_initial_stresses(const StressPlaces&);
 
     /// To be called before the patches of a cycle. With *CONTROL_TIMESTEP ERODE, elements are deleted whose
     /// step falls below DTMIN times the first step of the run, which is known in cycle 1.
@@ -134,6 +155,7 @@ private:
             }
         }
     }
+    void put_initial_stress(std::size_t place, const InitialStress&, const StressPlaces&);
     void hold_back_loose_elements(const State&);
     void silence(Index batch, const LaneMask& dead, const LaneMask& silent, SolidResult<Lanes>&);
     void erase(std::size_t place, State&);

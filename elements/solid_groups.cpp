@@ -28,6 +28,18 @@ constexpr struct {
     {"MAT_MOONEY-RIVLIN_RUBBER", make_rubber_solids},
     {"MAT_CRUSHABLE_FOAM", make_crushable_foam_solids},
     {"MAT_JOHNSON_COOK", make_johnson_cook_solids},
+    {"MAT_SOIL_AND_FOAM", make_soil_foam_solids},
+    {"MAT_SOIL_AND_FOAM_FAILURE", make_soil_foam_solids},
+    {"MAT_ELASTIC_PLASTIC_HYDRO", make_elastic_plastic_hydro_solids},
+    {"MAT_ELASTIC_PLASTIC_HYDRO_SPALL", make_elastic_plastic_hydro_solids},
+    {"MAT_VISCOELASTIC", make_viscoelastic_solids},
+    {"MAT_KELVIN-MAXWELL_VISCOELASTIC", make_viscoelastic_solids},
+    {"MAT_BLATZ-KO_RUBBER", make_rubber_solids},
+    {"MAT_OGDEN_RUBBER", make_ogden_solids},
+    {"MAT_HYPERELASTIC_RUBBER", make_hyperelastic_solids},
+    {"MAT_LOW_DENSITY_FOAM", make_low_density_foam_solids},
+    {"MAT_PLASTICITY_WITH_DAMAGE", make_damaged_plasticity_solids},
+    {"MAT_PLASTICITY_COMPRESSION_TENSION", make_compression_tension_solids},
 };
 
 /// Shapes that need a group of their own.
@@ -144,7 +156,8 @@ const Record& material_of(const Model& model, const Part& part)
     throw DeckError(part.where, fmt::format("*PART {} has solids but no material", part.id));
 }
 
-void add_part(const Model& model, Index part_index, const std::vector<Index>& elements, State& state,
+void add_part(const Model& model, Index part_index, const std::vector<Index>& elements,
+              const InitialStresses& initial_stresses, State& state,
               std::vector<std::unique_ptr<SolidGroup>>& groups)
 {
     const Part& part = model.parts[part_index];
@@ -170,6 +183,7 @@ void add_part(const Model& model, Index part_index, const std::vector<Index>& el
         std::vector<Index>& members = by_shape[static_cast<int>(shape)];
         if (members.empty()) continue;
         SolidSetup setup{model, part_index, std::move(members)};
+        setup.initial_stresses = &initial_stresses;
         for (Index element : setup.elements) {
             const Corners& nodes = model.solids.nodes[element];
             const Corners corners = shape == Shape::tetrahedron ? tetrahedron_of(nodes) : nodes;
@@ -203,10 +217,11 @@ std::vector<std::unique_ptr<SolidGroup>> make_solid_groups(const Model& model, S
     for (std::size_t element = 0; element < model.solids.size(); ++element) {
         elements[model.solids.part[element]].push_back(static_cast<Index>(element));
     }
+    const InitialStresses initial_stresses = initial_solid_stresses(model);
     std::vector<std::unique_ptr<SolidGroup>> groups;
     for (std::size_t part = 0; part < elements.size(); ++part) {
         if (elements[part].empty() || is_eulerian(model, static_cast<Index>(part))) continue;
-        add_part(model, static_cast<Index>(part), elements[part], state, groups);
+        add_part(model, static_cast<Index>(part), elements[part], initial_stresses, state, groups);
     }
     return groups;
 }

@@ -7,12 +7,7 @@ namespace plash {
 std::unique_ptr<SolidGroup> make_null_solids(const Record& material, const Record* equation_of_state,
                                              SolidSetup setup, State& state)
 {
-    const Part& part = setup.model.parts[setup.part];
-    if (!equation_of_state) {
-        throw DeckError(part.where, fmt::format("*PART {}, field EOSID: the solids of *MAT_NULL {} need an "
-                                                "equation of state",
-                                                part.id, material.id));
-    }
+    const Record& needed = need_equation_of_state(material, equation_of_state, setup);
     const NullFluid fluid = NullFluid::from_record(material);
     setup.parameters.density = fluid.density;
     SolidHourglass& hourglass = setup.parameters.hourglass;
@@ -22,7 +17,7 @@ std::unique_ptr<SolidGroup> make_null_solids(const Record& material, const Recor
         hourglass.shear_modulus = fluid.viscosity;
         hourglass.poisson_ratio = 0.5;
     }
-    return with_equation_of_state(*equation_of_state, fluid.density, setup, [&]<class Eos>(const Eos& eos) {
+    return with_equation_of_state(needed, fluid.density, setup, [&]<class Eos>(const Eos& eos) {
         return make_point_group(FluidPoint<Eos>{fluid, eos}, std::move(setup), state);
     });
 }

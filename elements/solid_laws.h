@@ -20,5 +20,14 @@ std::unique_ptr<SolidGroup> make_piecewise_linear_solids(const Record&, const Re
 std::unique_ptr<SolidGroup> make_crushable_foam_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_johnson_cook_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_rubber_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_soil_foam_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_elastic_plastic_hydro_solids(const Record&, const Record*, SolidSetup,
+                                                              State&);
+std::unique_ptr<SolidGroup> make_viscoelastic_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_ogden_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_hyperelastic_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_damaged_plasticity_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_compression_tension_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_low_density_foam_solids(const Record&, const Record*, SolidSetup, State&);
 
 } // namespace plash

@@ -80,6 +80,7 @@ private:
                 }
             }
         }
+        take_initial_stresses({stress_is_free<Point>, 1, 0, 0, Point::plastic_strain});
         finish_start(std::move(first_step), state);
     }
 };

@@ -12,6 +12,8 @@ struct RatePoint {
     static constexpr int history_size = Law::history_size;
     static constexpr int constant_size = 0;
     static constexpr bool modulus_changes = false;
+    /// Whether the stress may be given at the start (*INITIAL_STRESS_SOLID).
+    static constexpr bool stress_is_free = !requires { Law::pressure_from_volume; };
     static constexpr bool can_fail = requires(const Law& l, HistoryView<double> h) { l.failed(h); };
     static constexpr int plastic_strain = [] {
         if constexpr (requires { Law::plastic_strain; }) return int{Law::plastic_strain};

@@ -35,7 +35,7 @@ struct StrengthPoint {
         const Lane compression = 1.0 / motion.relative_volume;
         const PressureResponse<Lane> response = eos.evaluate(compression);
         const Lane pressure =
-            max(response.pressure(motion.energy_density), broadcast<Lane>(law.lowest_pressure));
+            max(response.pressure(motion.energy_density), broadcast<Lane>(law.lowest_pressure()));
         const Lane stiffness = response.stiffness(compression, pressure, motion.energy_density);
         return max(stiffness, Lane{}) * compression + 4.0 / 3 * law.shear_modulus;
     }
@@ -53,9 +53,10 @@ struct StrengthPoint {
                                 motion.mean_viscosity * motion.volume_change;
         const PressureStep<Lane> end =
             advance_pressure(eos.evaluate(Lane{1.0 / motion.relative_volume}), motion.energy_density,
-                             other_work, pressure_before, motion.volume_change, law.lowest_pressure);
+                             other_work, pressure_before, motion.volume_change, law.lowest_pressure());
         // What has broken bears no tension.
-        const Lane pressure = law.broken(history) ? max(end.pressure, Lane{}) : end.pressure;
+        Lane pressure = law.broken(history) ? max(end.pressure, Lane{}) : end.pressure;
+        law.spall.apply(shear, pressure, history[Strength::spalled]);
         stress = {
             shear.xx - pressure, shear.yy - pressure, shear.zz - pressure, shear.xy, shear.yz, shear.zx};
     }

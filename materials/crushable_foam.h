@@ -49,9 +49,9 @@ private:
         const double now = 1 - std::exp(lane_of(history[log_volume], lane));
         const double most = std::max(lane_of(history[compaction], lane), now);
         set_lane(history[compaction], lane, most);
-        PrincipalAxes principal =
-            principal_axes({lane_of(stress.xx, lane), lane_of(stress.yy, lane), lane_of(stress.zz, lane),
-                            lane_of(stress.xy, lane), lane_of(stress.yz, lane), lane_of(stress.zx, lane)});
+        auto principal = principal_axes(SymmetricTensor<double>{
+            lane_of(stress.xx, lane), lane_of(stress.yy, lane), lane_of(stress.zz, lane),
+            lane_of(stress.xy, lane), lane_of(stress.yz, lane), lane_of(stress.zx, lane)});
         const double limit = crushing(most);
         bool changed = false;
         for (double& value : principal.value) {

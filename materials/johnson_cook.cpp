@@ -53,17 +53,7 @@ JohnsonCook JohnsonCook::from_record(const Record& record, const Model&)
                     record.real("D4/GAMMA"), record.real("D5")};
     law.least_fracture_strain = record.real("EFMIN", 1e-6);
     law.erodes = record.integer("EROD") == 0;
-    const double cutoff = record.real("PC");
-    if (cutoff > 0)
-        reject_field(record, "PC", fmt::format("{} is positive (pressure in tension is negative)", cutoff));
-    if (cutoff < 0) {
-        // The spall models differ from the pressure limit only once a point has spalled.
-        if (record.real("SPALL", 2) != 1)
-            reject_field(record, "SPALL",
-                         fmt::format("spall model {} is not supported together with PC (1: pressure limit)",
-                                     record.integer("SPALL", 2)));
-        law.lowest_pressure = cutoff;
-    }
+    law.spall = Spall::from_record(record, 2);
     return law;
 }
 

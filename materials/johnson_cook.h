@@ -3,11 +3,11 @@
 #include "materials/history.h"
 #include "materials/parameters.h"
 #include "materials/plastic_return.h"
+#include "materials/spall.h"
 #include "materials/von_mises.h"
 #include "math/lanes_math.h"
 
 #include <array>
-#include <limits>
 
 namespace plash {
 
@@ -36,13 +36,14 @@ struct JohnsonCook {
     std::array<double, 5> fracture{}; ///< D1 to D5; all zero: no fracture
     double least_fracture_strain = 0; ///< EFMIN
     bool erodes = true;               ///< EROD = 0
-    double lowest_pressure = -std::numeric_limits<double>::infinity(); ///< PC [stress]
+    Spall spall;                      ///< PC and SPALL; shells leave them out
 
-    enum History { plastic_strain, temperature, damage, history_size };
-    std::array<double, history_size> initial_history() const { return {0, room, 0}; }
+    enum History { plastic_strain, temperature, damage, spalled, history_size };
+    std::array<double, history_size> initial_history() const { return {0, room, 0, 0}; }
 
-    /// DeckError for the fields of a law that is not this one (RATEOP), and for spall models that the law
-    /// does not have.
+    double lowest_pressure() const { return spall.lowest_pressure(); }
+
+    /// DeckError for the fields of a law that is not this one (RATEOP).
     static JohnsonCook from_record(const Record& record, const Model& model);
 
     bool fractures() const { return fracture != std::array<double, 5>{}; }
@@ -103,10 +104,11 @@ struct JohnsonCook {
     {
         const double bulk = young_modulus / (3 * (1 - 2 * poisson_ratio));
         Lane pressure = (-1.0 / 3) * trace(stress) - bulk * trace(increment);
-        pressure = max(pressure, broadcast<Lane>(lowest_pressure));
+        pressure = max(pressure, broadcast<Lane>(lowest_pressure()));
         SymmetricTensor<Lane> shear = deviator(stress);
         update_deviator(shear, deviator(increment), pressure, history, time_step);
         if (fractures()) pressure = broken(history) ? max(pressure, Lane{}) : pressure;
+        spall.apply(shear, pressure, history[spalled]);
         stress = {
             shear.xx - pressure, shear.yy - pressure, shear.zz - pressure, shear.xy, shear.yz, shear.zx};
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/left_cauchy_green.h"
 #include "materials/parameters.h"
 #include "math/lanes.h"
 #include "math/tensor3.h"
@@ -31,7 +32,7 @@ struct MooneyRivlin {
     template <class Lane>
     Lane energy(const Tensor3<Lane>& deformation) const
     {
-        const Invariants<Lane> i = invariants(deformation);
+        const LeftCauchyGreen<Lane> i = left_cauchy_green(deformation);
         const Lane volumetric = i.third - 1.0;
         return a * (i.first - 3.0) + b * (i.second - 3.0) + c() * (1.0 / (i.third * i.third) - 1.0) +
                d() * volumetric * volumetric;
@@ -41,7 +42,7 @@ struct MooneyRivlin {
     template <class Lane>
     SymmetricTensor<Lane> stress(const Tensor3<Lane>& deformation) const
     {
-        const Invariants<Lane> i = invariants(deformation);
+        const LeftCauchyGreen<Lane> i = left_cauchy_green(deformation);
         const SymmetricTensor<Lane>& l = i.left;
         const Lane factor = 2.0 / sqrt(i.third);
         const Lane linear = factor * (a + b * i.first), square = -factor * b;
@@ -59,9 +60,9 @@ struct MooneyRivlin {
     template <class Lane>
     Lane wave_modulus(const Tensor3<Lane>& deformation) const
     {
-        const Invariants<Lane> i = invariants(deformation);
+        const LeftCauchyGreen<Lane> i = left_cauchy_green(deformation);
         // lambda^2 / J d2W/dlambda^2 with the largest squared stretch s.
-        const Lane s = largest_square(i);
+        const Lane s = i.largest_square();
         const Lane inner = min(s, Lane{0.5 * i.first});
         const Lane inverse = 1.0 / i.third, inverse2 = inverse * inverse;
         const Lane third_curvature = 6 * c() * inverse2 * inverse2 + 2 * d();
@@ -71,39 +72,6 @@ struct MooneyRivlin {
     }
 
 private:
-    template <class Lane>
-    struct Invariants {
-        SymmetricTensor<Lane> left; ///< left Cauchy-Green tensor
-        Lane first, second, third;
-    };
-
-    template <class Lane>
-    static Invariants<Lane> invariants(const Tensor3<Lane>& f)
-    {
-        const SymmetricTensor<Lane> l{
-            f.xx * f.xx + f.xy * f.xy + f.xz * f.xz, f.yx * f.yx + f.yy * f.yy + f.yz * f.yz,
-            f.zx * f.zx + f.zy * f.zy + f.zz * f.zz, f.xx * f.yx + f.xy * f.yy + f.xz * f.yz,
-            f.yx * f.zx + f.yy * f.zy + f.yz * f.zz, f.zx * f.xx + f.zy * f.xy + f.zz * f.xz};
-        const Lane first = trace(l), volume = determinant(f);
-        return {l, first, 0.5 * (first * first - contract(l, l)), volume * volume};
-    }
-
-    /// Largest principal value of the left Cauchy-Green tensor, from above: a bound by its deviator, and
-    /// three steps of Newton's iteration on the characteristic polynomial, which stay above the largest root.
-    template <class Lane>
-    static Lane largest_square(const Invariants<Lane>& i)
-    {
-        const SymmetricTensor<Lane> part = deviator(i.left);
-        Lane s = (1.0 / 3) * i.first + sqrt((2.0 / 3) * contract(part, part));
-        for (int round = 0; round < 3; ++round) {
-            const Lane value = ((s - i.first) * s + i.second) * s - i.third;
-            const Lane slope = (3.0 * s - 2.0 * i.first) * s + i.second;
-            // Near a threefold root the bound is good already, and the quotient all round-off.
-            s -= slope > 1e-6 * s * s ? max(value, Lane{}) / slope : Lane{};
-        }
-        return s;
-    }
-
     /// dW/dIII.
     template <class Lane>
     Lane third_slope(const Lane& third) const

@@ -55,13 +55,14 @@ void put_elements(std::vector<std::uint32_t>& words, const Elements<Corners>& el
     }
 }
 
-/// Two ends, the node that turns the section (0: there is none), two words without meaning, the part.
+/// Two ends, the node that turns the section (the first again where there is none), two words without
+/// meaning, the part.
 void put_beams(std::vector<std::uint32_t>& words, const Model& model, const std::vector<Index>& order,
                const std::vector<std::uint32_t>& node_place, const std::vector<std::uint32_t>& part_place)
 {
     for (Index beam : order) {
         const auto& nodes = model.beams.nodes[beam];
-        for (Index node : nodes) words.push_back(node == none ? 0 : node_place[node]);
+        for (Index node : nodes) words.push_back(node_place[node == none ? nodes[0] : node]);
         words.insert(words.end(), 2, 0);
         words.push_back(part_place[model.beams.part[beam]]);
     }

@@ -28,6 +28,7 @@ GlobalStatistics global_statistics(const Snapshot& snapshot)
     result.kinetic = ledger.kinetic + ledger.eroded_kinetic;
     result.internal = ledger.internal + ledger.eroded_internal;
     result.hourglass = ledger.hourglass + ledger.eroded_hourglass;
+    result.spring_and_damper = ledger.springs;
     result.damping = ledger.damping;
     result.sliding = ledger.sliding;
     result.external_work = ledger.external_work;

@@ -273,7 +273,10 @@ void RigidBodies::report(EnergyLedger& ledger) const
     ledger.external_work += body_load_work_;
     for (const Drive& drive : drives_) ledger.external_work += drive.work.done;
     for (const Load& load : loads_) ledger.external_work += load.work;
-    for (const JointSpring& spring : springs_) ledger.internal += spring.energy();
+    for (const JointSpring& spring : springs_) {
+        ledger.internal += spring.energy();
+        ledger.springs += spring.energy();
+    }
 }
 
 void RigidBodies::serialise(Archive& archive)

@@ -1,4 +1,6 @@
 #include "eos/gruneisen.h"
+#include "eos/ideal_gas.h"
+#include "eos/jwl.h"
 #include "eos/linear_polynomial.h"
 #include "eos/murnaghan.h"
 #include "tests/paths.h"
@@ -157,6 +159,52 @@ TEST(EquationsOfState, LanesEqualTheScalarReference)
         EXPECT_NEAR(many.warm[lane], one.warm, 1e-15);
         EXPECT_NEAR(many_gas.warm[lane], gas.evaluate(double{compression[lane]}).warm, 1e-15);
     }
+}
+
+/// Products of TNT (Dobratz & Crawford 1985, LLNL Explosives Handbook, UCRL-52997: A 371.2, B 3.231 GPa,
+/// R1 4.15, R2 0.95, OMEGA 0.30, E0 7.0 GPa, 1.63 g/cc): of all shocks that reach their Hugoniot the slowest
+/// is the detonation, with D = 6.93 km/s and 21.0 GPa.
+TEST(Jwl, DetonatesTntAtItsSpeedAndPressure)
+{
+    const double density = 1.63;
+    const Jwl tnt = Jwl::from_record(
+        record_of(
+            "EOS_JWL", 1,
+            {{"A", 371.2}, {"B", 3.231}, {"R1", 4.15}, {"R2", 0.95}, {"OMEG", 0.30}, {"E0", 7.0}, {"VO", 1}}),
+        density);
+    double slowest = 1e300, pressure = 0;
+    for (double volume = 0.6; volume < 0.95; volume += 1e-5) {
+        const auto at = tnt.evaluate(1 / volume);
+        // p = cold + warm (E0 + p (1 - V) / 2).
+        const double p = (at.cold + at.warm * tnt.energy) / (1 - 0.5 * at.warm * (1 - volume));
+        const double speed = std::sqrt(p / (density * (1 - volume)));
+        if (speed >= slowest) continue;
+        slowest = speed;
+        pressure = p;
+    }
+    EXPECT_NEAR(slowest, 6.93, 0.01 * 6.93);
+    EXPECT_NEAR(pressure, 21.0, 0.01 * 21.0);
+    check_slopes(tnt);
+    EXPECT_THROW(Jwl::from_record(record_of("EOS_JWL", 1, {{"A", 1}, {"R1", 1}, {"R2", 0}, {"OMEG", 1}}), 1),
+                 DeckError);
+}
+
+/// Air at 288.15 K and 1.225 kg / m^3: 101.3 kPa and a speed of sound of 340.3 m/s (US Standard Atmosphere
+/// 1976).
+TEST(IdealGas, IsAirAtSeaLevel)
+{
+    const double density = 1.225;
+    const IdealGas air = IdealGas::from_record(
+        record_of("EOS_IDEAL_GAS", 1, {{"CVMAS", 717.63}, {"CPMAS", 1004.68}, {"T0", 288.15}, {"V0", 1}}),
+        density);
+    const auto at = air.evaluate(1.0);
+    const double pressure = at.pressure(air.energy);
+    EXPECT_NEAR(pressure, 101325, 30);
+    EXPECT_NEAR(std::sqrt(at.stiffness(1.0, pressure, air.energy) / density), 340.29, 0.1);
+    check_slopes(air);
+    EXPECT_THROW(
+        IdealGas::from_record(record_of("EOS_IDEAL_GAS", 1, {{"CVMAS", 2}, {"CPMAS", 1}, {"T0", 1}}), 1),
+        DeckError);
 }
 
 } // namespace plash

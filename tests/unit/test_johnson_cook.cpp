@@ -176,4 +176,28 @@ TEST(JohnsonCook, LanesEqualSinglePoints)
     }
 }
 
+/// Pulled to a tension of PC in all directions, a spalled point is rubble: no tension and no shear again, but
+/// pressure (SPALL = 3); the default limit (1) keeps its strength.
+TEST(JohnsonCook, SpallsInHydrostaticTension)
+{
+    for (const double model : {1.0, 3.0}) {
+        const JohnsonCook law = copper({{"PC", -1}, {"SPALL", model}});
+        double history[JohnsonCook::history_size];
+        std::copy_n(law.initial_history().begin(), JohnsonCook::history_size, history);
+        SymmetricTensor<double> stress{};
+        const auto strain = [&](double mean, double shear) {
+            law.update(stress, SymmetricTensor<double>{mean, mean, mean, shear, 0, 0},
+                       HistoryView<double>{history}, 1e-3);
+            return trace(stress) / 3;
+        };
+        const double limit = 1 / (3 * bulk_modulus);
+        EXPECT_NEAR(strain(0.9 * limit, 1e-4), 0.9, 1e-12);
+        EXPECT_NEAR(stress.xy, 2 * shear_modulus * 1e-4, 1e-12);
+        EXPECT_NEAR(strain(0.3 * limit, 0), model == 1 ? 1 : 0, 1e-12);
+        EXPECT_NEAR(stress.xy, model == 1 ? 2 * shear_modulus * 1e-4 : 0, 1e-12);
+        EXPECT_NEAR(strain(-2 * limit, 1e-4), model == 1 ? -1 : -2, 1e-12);
+        EXPECT_NEAR(stress.xy, model == 1 ? 4 * shear_modulus * 1e-4 : 0, 1e-12);
+    }
+}
+
 } // namespace plash

@@ -84,6 +84,7 @@ TEST(Springs, DampersTakeTheEnergyThatTheBookShows)
     const double exact = (1 - 0.5 * 0.005) * std::pow(1 - 0.005, static_cast<double>(outcome.clock.cycle));
     EXPECT_NEAR(scene.state.velocity[1].x, exact, 1e-9);
     EXPECT_NEAR(scene.ledger.internal, 0.5 * (1 - std::exp(-4)), 0.005);
+    EXPECT_EQ(scene.ledger.springs, scene.ledger.internal); // what glstat shows as spring and damper energy
     EXPECT_LT(scene.ledger.balance_error(), 0.005);
 }
 

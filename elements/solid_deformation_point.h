@@ -1,18 +1,23 @@
 #pragma once
 
 #include "elements/solid_step.h"
-#include "materials/mooney_rivlin.h"
+#include "math/tensor3.h"
 
 namespace plash {
 
-/// Material point of rubber: stress from the deformation gradient between the initial and the present place.
-/// With the centre rule the element's forces are the exact derivative of its strain energy.
-template <SolidGradientRule rule>
-struct RubberPoint {
-    MooneyRivlin law;
+/// Material point of a solid whose stress follows from the deformation gradient between the initial and the
+/// present place (materials/mooney_rivlin.h, materials/rubber.h). With the centre rule the forces of an
+/// elastic element are the exact derivative of its strain energy.
+template <class Law, SolidGradientRule rule>
+struct DeformationPoint {
+    Law law;
 
+    static constexpr bool has_history = requires { Law::history_size; };
     static constexpr int modes = rule == SolidGradientRule::mean ? 6 : 3;
-    static constexpr int history_size = 0;
+    static constexpr int history_size = [] {
+        if constexpr (has_history) return int{Law::history_size};
+        return 0;
+    }();
     static constexpr int constant_size = 3 * modes; ///< gradient operator at the start over 64 volume
     static constexpr bool modulus_changes = false;
     static constexpr bool can_fail = false;
@@ -40,9 +45,16 @@ struct RubberPoint {
     }
 
     template <class Lane>
-    void update(SymmetricTensor<Lane>& stress, HistoryView<Lane>, const SolidMotion<Lane>& motion) const
+    void update(SymmetricTensor<Lane>& stress, HistoryView<Lane> history,
+                const SolidMotion<Lane>& motion) const
     {
-        stress = law.stress(deformation(motion));
+        if constexpr (has_history) {
+            if constexpr (requires { law.rotate_history(history, motion.rotation); })
+                law.rotate_history(history, motion.rotation);
+            law.update(stress, deformation(motion), motion.increment, history, motion.time_step);
+        } else {
+            stress = law.stress(deformation(motion));
+        }
     }
 
 private:

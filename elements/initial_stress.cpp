@@ -1,0 +1,119 @@
+#include "elements/initial_stress.h"
+
+#include "materials/parameters.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <unordered_map>
+
+namespace plash {
+
+namespace {
+
+/// Column of a table by its name; -1 when the table has none.
+int column_of(const Table& table, std::string_view name)
+{
+    const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+    return found == table.columns.end() ? -1 : static_cast<int>(found - table.columns.begin());
+}
+
+std::vector<InitialStressPoint> points_of(const Record& record, std::string_view first_column)
+{
+    const Table* table = record.table(first_column);
+    if (!table) {
+        throw DeckError(record.where, fmt::format("*{}: the card gives no points", record.keyword));
+    }
+    const char* names[] = {"SIGXX", "SIGYY", "SIGZZ", "SIGXY", "SIGYZ", "SIGZX", "EPS", "T"};
+    int column[8];
+    for (int i = 0; i < 8; ++i) column[i] = column_of(*table, names[i]);
+    std::vector<InitialStressPoint> points;
+    for (std::size_t row = 0; row < table->rows(); ++row) {
+        const auto at = [&](int i) { return column[i] < 0 ? 0.0 : table->at(row, column[i]); };
+        points.push_back({at(7), {at(0), at(1), at(2), at(3), at(4), at(5)}, at(6)});
+    }
+    return points;
+}
+
+/// What the cards of one family mean.
+/// keyword  of single elements; that of sets has _SET behind it
+InitialStresses read_stresses(const Model& model, std::string_view keyword, std::string_view first_column,
+                              const std::vector<Id>& ids, const std::vector<ElementSet>& sets)
+{
+    InitialStresses stresses;
+    const std::string set_keyword = std::string(keyword) + "_SET";
+    std::unordered_map<Id, Index> place;
+    for (const Record& record : model.others) {
+        const bool of_set = record.keyword == set_keyword;
+        if (record.keyword != keyword && !of_set) continue;
+        if (place.empty()) {
+            for (std::size_t i = 0; i < ids.size(); ++i) place.emplace(ids[i], static_cast<Index>(i));
+        }
+        for (const char* field : {"IVEFLG", "IALEGP"}) {
+            if (record.peek(field) && record.real(field) != 0) {
+                reject_field(record, field,
+                             "energies and volumes at the start are not supported; leave it at 0");
+            }
+        }
+        const InitialStress stress{record.where, points_of(record, first_column)};
+        if (!of_set) {
+            const auto found = place.find(record.integer("EID"));
+            if (found == place.end()) {
+                reject_field(record, "EID",
+                             fmt::format("there is no such element {}", record.integer("EID")));
+            }
+            stresses[found->second] = stress;
+            continue;
+        }
+        const auto set = std::find_if(sets.begin(), sets.end(),
+                                      [&](const ElementSet& one) { return one.id == record.integer("SID"); });
+        if (set == sets.end()) {
+            reject_field(record, "SID", fmt::format("there is no such set {}", record.integer("SID")));
+        }
+        for (Index element : set->elements) stresses[element] = stress;
+    }
+    return stresses;
+}
+
+} // namespace
+
+InitialStresses initial_solid_stresses(const Model& model)
+{
+    return read_stresses(model, "INITIAL_STRESS_SOLID", "SIGXX", model.solids.id, model.solid_sets);
+}
+
+InitialStresses initial_shell_stresses(const Model& model)
+{
+    return read_stresses(model, "INITIAL_STRESS_SHELL", "T", model.shells.id, model.shell_sets);
+}
+
+InitialStressPoint mean_of(const InitialStress& stress)
+{
+    InitialStressPoint mean;
+    const double share = 1.0 / stress.points.size();
+    for (const InitialStressPoint& point : stress.points) {
+        mean.stress = mean.stress + share * point.stress;
+        mean.plastic_strain += share * point.plastic_strain;
+    }
+    return mean;
+}
+
+InitialStressPoint through_thickness(const InitialStress& stress, double place, int column)
+{
+    // Points of the same place are those of a plane, in the order of its columns.
+    std::map<double, std::vector<const InitialStressPoint*>> layers;
+    for (const InitialStressPoint& point : stress.points) layers[point.place].push_back(&point);
+    const auto at = [&](const std::vector<const InitialStressPoint*>& layer) -> const InitialStressPoint& {
+        return *layer[std::min<std::size_t>(column, layer.size() - 1)];
+    };
+    if (layers.size() == 1) return at(layers.begin()->second);
+    auto high = layers.upper_bound(place);
+    if (high == layers.begin()) ++high;
+    if (high == layers.end()) --high;
+    const auto low = std::prev(high);
+    const InitialStressPoint &a = at(low->second), &b = at(high->second);
+    const double share = (place - low->first) / (high->first - low->first);
+    return {place, a.stress + share * (b.stress - a.stress),
+            std::max(0.0, a.plastic_strain + share * (b.plastic_strain - a.plastic_strain))};
+}
+
+} // namespace plash

@@ -1,0 +1,13 @@
+#include "elements/solid_rate_group.h"
+#include "materials/compression_tension.h"
+
+namespace plash {
+
+std::unique_ptr<SolidGroup> make_compression_tension_solids(const Record& material,
+                                                            const Record* equation_of_state, SolidSetup setup,
+                                                            State& state)
+{
+    return make_rate_group<CompressionTension>(material, equation_of_state, std::move(setup), state);
+}
+
+} // namespace plash

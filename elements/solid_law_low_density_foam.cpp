@@ -1,0 +1,15 @@
+#include "elements/solid_deformation_group.h"
+#include "materials/low_density_foam.h"
+
+namespace plash {
+
+std::unique_ptr<SolidGroup> make_low_density_foam_solids(const Record& material,
+                                                         const Record* equation_of_state, SolidSetup setup,
+                                                         State& state)
+{
+    const LowDensityFoam law = LowDensityFoam::from_record(material, setup.model);
+    return make_deformation_group(material, equation_of_state, law, 0.5 * law.young_modulus, 0.0,
+                                  std::move(setup), state);
+}
+
+} // namespace plash

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "materials/hardening.h"
+#include "materials/history.h"
+#include "materials/left_cauchy_green.h"
+#include "materials/principal_axes.h"
+#include "model/model.h"
+
+#include <array>
+#include <vector>
+
+namespace plash {
+
+/// *MAT_LOW_DENSITY_FOAM (057): the nominal stress in each principal direction depends on the stretch in this
+/// direction alone (no lateral strain): the curve over 1 - stretch in compression, E (stretch - 1) in tension
+/// up to TC. On the way back compressive stress loses the share
+///   d = (1 - HU) (1 - (W / Wmax)^SHAPE)
+/// with the energy W that the loading curve gives for the stretches now, and its largest value so far.
+/// Sources: Chang, Song, Sakai & others (1994), 'Finite strain formulation for a highly compressible
+/// elastomeric foam'; Hallquist (2006), LS-DYNA theory manual, material model 57, which shows the unloading
+/// in pictures only; the formula is that of its model 83.
+struct LowDensityFoam {
+    double density = 0;           ///< [mass/volume]
+    double young_modulus = 0;     ///< E, in tension [stress]
+    double tensile_cutoff = 1e20; ///< TC: nominal [stress]
+    double hysteresis = 1;        ///< HU: 1 unloads as it loads
+    double shape = 1;             ///< SHAPE
+    bool tears = false;           ///< FAIL = 1: no tension once TC has been reached
+    Hardening loading;            ///< nominal stress over 1 - stretch; goes on with its last slope
+    std::vector<double> place, stress_at, energy_at; ///< points of the curve and the energy up to them
+
+    enum History { largest_energy, torn, history_size };
+
+    static LowDensityFoam from_record(const Record& record, const Model& model);
+
+    /// Cauchy stress at the end of a step.
+    template <class Lane>
+    void update(SymmetricTensor<Lane>& stress, const Tensor3<Lane>& deformation,
+                const SymmetricTensor<Lane>& /*increment*/, HistoryView<Lane> history,
+                double /*time_step*/) const
+    {
+        PrincipalAxes<Lane> principal = principal_axes(left_cauchy_green(deformation).left);
+        const Lane inverse_volume = 1.0 / determinant(deformation), one = broadcast<Lane>(1);
+        std::array<Lane, 3> stretch;
+        for (int i = 0; i < 3; ++i) stretch[i] = sqrt(max(principal.value[i], Lane{}));
+        Lane left = one;
+        if (hysteresis < 1) {
+            Lane now{};
+            for (const Lane& s : stretch) {
+                now += map_lanes(Lane{1.0 - s}, [&](double strain) { return energy(strain); });
+            }
+            const Lane most = max(history[largest_energy], now);
+            history[largest_energy] = most;
+            const Lane share = now / max(most, broadcast<Lane>(1e-300));
+            left = now < most ? 1.0 - (1 - hysteresis) * (1.0 - power(share, shape)) : one;
+        }
+        for (int i = 0; i < 3; ++i) {
+            const Lane strain = 1.0 - stretch[i];
+            const Lane pressed = left * loading(max(strain, Lane{}), Lane{}).stress;
+            const Lane pulled = min(-young_modulus * strain, broadcast<Lane>(tensile_cutoff));
+            if (tears) {
+                history[torn] = -young_modulus * strain >= tensile_cutoff ? one : history[torn];
+            }
+            const Lane tension = tears ? (history[torn] > 0.0 ? Lane{} : pulled) : pulled;
+            const Lane nominal = strain > 0.0 ? -pressed : tension;
+            principal.value[i] = nominal * stretch[i] * inverse_volume;
+        }
+        stress = principal.tensor();
+    }
+
+    /// Density times the square of the speed of the fastest wave along a principal direction, from above:
+    /// also for unloading, which is steeper than loading [stress].
+    template <class Lane>
+    Lane wave_modulus(const Tensor3<Lane>& deformation) const
+    {
+        const PrincipalAxes<Lane> principal = principal_axes(left_cauchy_green(deformation).left);
+        Lane largest{};
+        for (int i = 0; i < 3; ++i) {
+            const Lane square = max(principal.value[i], Lane{}), strain = 1.0 - sqrt(square);
+            Lane slope = loading(max(strain, Lane{}), Lane{}).slope;
+            if (hysteresis < 1) {
+                const auto steeper = [&](double e) {
+                    const double whole = energy(e);
+                    const double s = e > 0 ? loading(e, 0.0).stress : 0;
+                    return whole > 0 ? (1 - hysteresis) * shape * s * s / whole : 0;
+                };
+                slope += map_lanes(strain, steeper);
+            }
+            const Lane modulus = max(slope, broadcast<Lane>(young_modulus));
+            largest = max(largest, Lane{modulus * square});
+        }
+        return largest / determinant(deformation);
+    }
+
+    /// Energy that the loading curve has taken up at a compressive strain [stress].
+    double energy(double strain) const;
+};
+
+} // namespace plash

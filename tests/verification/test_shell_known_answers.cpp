@@ -1,0 +1,107 @@
+#include "elements/shell_groups.h"
+#include "solver/explicit_loop.h"
+#include "tests/support/shell_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace plash {
+
+namespace {
+
+/// Displacement under the load of a cylinder that two opposite forces pinch between rigid end diaphragms:
+/// radius 300, length 600, thickness 3, E = 3e6, nu = 0.3, force 1 (Belytschko, Stolarski, Liu, Carpenter &
+/// Ong 1985, Comput. Methods Appl. Mech. Engng 51, 221-258, 'obstacle course'). An eighth of it, n x n
+/// elements, brought to rest by damping.
+double pinched_cylinder(double formulation, int n)
+{
+    constexpr double radius = 300, half_length = 300, thickness = 3;
+    Model model = shell_model(make_record("MAT_ELASTIC", {{"RO", 1}, {"E", 3e6}, {"PR", 0.3}}),
+                              {{"ELFORM", formulation}, {"NIP", 2}, {"SHRF", 5.0 / 6}, {"T1", thickness}});
+    model.controls.elements.warping = 1;
+    model.controls.elements.hourglass_type = 4;
+    model.controls.elements.hourglass_coefficient = 0.03;
+    // Angle from the load (y) to x along i, from the middle to the diaphragm along j.
+    add_grid(model, n, n, [&](int i, int j) {
+        const double angle = std::numbers::pi / 2 * i / n;
+        return Vec3{radius * std::sin(angle), radius * std::cos(angle), half_length * j / n};
+    });
+    const auto node = [&](int i, int j) { return static_cast<Index>(j * (n + 1) + i); };
+    std::vector<Index> plane_x, plane_y, plane_z, diaphragm;
+    for (int k = 0; k <= n; ++k) {
+        plane_x.push_back(node(0, k));
+        plane_y.push_back(node(n, k));
+        plane_z.push_back(node(k, 0));
+        diaphragm.push_back(node(k, n));
+    }
+    hold(model, plane_x, 1 | 16 | 32);
+    hold(model, plane_y, 2 | 8 | 32);
+    hold(model, plane_z, 4 | 8 | 16);
+    hold(model, diaphragm, 1 | 2 | 32);
+    model.nodal_loads.push_back({{node(0, 0)}, {0, -1, 0}, false, none, 0.25, {}});
+    model.controls.time.end_time = 60;
+    Scene scene = make_scene(model);
+    scene.terms.push_back(std::make_unique<MassDamping>(1.0));
+    Recorders recorders;
+    const Outcome outcome = run(scene, recorders);
+    EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
+    EXPECT_LT(scene.ledger.kinetic, 1e-8 * scene.ledger.internal); // at rest
+    return radius - scene.state.position[node(0, 0)].y;
+}
+
+} // namespace
+
+/// 1.8248e-5 (series solution of Fluegge 1962, as Belytschko & al. quote it).
+TEST(PinchedCylinder, ComesToTheSeriesSolution)
+{
+    constexpr double exact = 1.8248e-5;
+    for (const double formulation : {2.0, 16.0}) {
+        const double coarse = pinched_cylinder(formulation, 8), middle = pinched_cylinder(formulation, 16),
+                     fine = pinched_cylinder(formulation, 32);
+        EXPECT_NEAR(fine, exact, 0.02 * exact)
+            << formulation << ": " << coarse / exact << ' ' << middle / exact;
+        EXPECT_LT(std::abs(fine - exact), std::abs(middle - exact)) << formulation;
+        EXPECT_LT(std::abs(middle - exact), std::abs(coarse - exact)) << formulation;
+    }
+}
+
+/// A ring of eight shells that breathes, a million steps: no damping, so that the energy has to stay.
+TEST(ElasticRing, KeepsItsEnergyForAMillionSteps)
+{
+    Model model = shell_model(make_record("MAT_ELASTIC", {{"RO", 7.8e-6}, {"E", 210}, {"PR", 0.3}}),
+                              {{"ELFORM", 2}, {"NIP", 2}, {"T1", 0.5}});
+    constexpr int count = 8;
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < count; ++i) {
+            const double angle = 2 * std::numbers::pi * i / count;
+            add_node(model, {10 * std::cos(angle), 10 * std::sin(angle), 8.0 * j});
+        }
+    for (int i = 0; i < count; ++i) {
+        const int next = (i + 1) % count;
+        add_shell(model, {i, next, count + next, count + i});
+    }
+    model.controls.time.end_time = 1e30;
+    model.controls.time.end_cycle = 1000000;
+    Scene scene = make_scene(model);
+    for (std::size_t n = 0; n < scene.state.size(); ++n) {
+        const Vec3& x = scene.state.position[n];
+        scene.state.velocity[n] = 2e-3 * Vec3{x.x, x.y, 0}; // strains of 5e-4
+    }
+    Recorders recorders;
+    double first = 0, least = 1e300, most = 0;
+    recorders.push_back(std::make_unique<EachCycle>([&](const Clock& clock, const State&) {
+        const double total = scene.ledger.total();
+        if (clock.cycle == 0) first = total;
+        least = std::min(least, total);
+        most = std::max(most, total);
+    }));
+    const Outcome outcome = run(scene, recorders);
+    EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
+    EXPECT_GE(outcome.clock.cycle, 999999);
+    EXPECT_LT(scene.ledger.balance_error(), 1e-3);
+    EXPECT_GT(scene.ledger.kinetic + scene.ledger.internal, 0.999 * first);
+}
+
+} // namespace plash
