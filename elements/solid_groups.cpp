@@ -38,6 +38,7 @@ constexpr struct {
     {"MAT_OGDEN_RUBBER", make_ogden_solids},
     {"MAT_HYPERELASTIC_RUBBER", make_hyperelastic_solids},
     {"MAT_LOW_DENSITY_FOAM", make_low_density_foam_solids},
+    {"MAT_FU_CHANG_FOAM", make_fu_chang_foam_solids},
     {"MAT_PLASTICITY_WITH_DAMAGE", make_damaged_plasticity_solids},
     {"MAT_PLASTICITY_COMPRESSION_TENSION", make_compression_tension_solids},
 };

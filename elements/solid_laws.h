@@ -28,6 +28,7 @@ std::unique_ptr<SolidGroup> make_ogden_solids(const Record&, const Record*, Soli
 std::unique_ptr<SolidGroup> make_hyperelastic_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_damaged_plasticity_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_compression_tension_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_fu_chang_foam_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_low_density_foam_solids(const Record&, const Record*, SolidSetup, State&);
 
 } // namespace plash

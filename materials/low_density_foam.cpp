@@ -12,27 +12,8 @@ LowDensityFoam LowDensityFoam::from_record(const Record& record, const Model& mo
     LowDensityFoam foam;
     foam.density = positive(record, "RO", "mass density");
     foam.young_modulus = positive(record, "E", "Young's modulus in tension");
-    const Curve& curve = curve_of(record, "LCID", model).curve;
-    for (std::size_t i = 0; i < curve.abscissa.size(); ++i) {
-        if (curve.abscissa[i] < 0 || curve.ordinate[i] < 0) {
-            reject_field(record, "LCID",
-                         fmt::format("the point ({}, {}) of the curve is negative; compression is "
-                                     "positive",
-                                     curve.abscissa[i], curve.ordinate[i]));
-        }
-    }
-    foam.loading = Hardening::curve(curve);
-    foam.place = {0};
-    foam.stress_at = {foam.loading(0.0, 0.0).stress};
-    foam.energy_at = {0};
-    for (double strain : curve.abscissa) {
-        if (strain <= 0) continue;
-        const double stress = foam.loading(strain, 0.0).stress;
-        foam.energy_at.push_back(foam.energy_at.back() +
-                                 0.5 * (strain - foam.place.back()) * (foam.stress_at.back() + stress));
-        foam.place.push_back(strain);
-        foam.stress_at.push_back(stress);
-    }
+    foam.set_loading(record, "LCID", Hardening::curve(curve_of(record, "LCID", model).curve),
+                     curve_of(record, "LCID", model).curve);
     const double cutoff = record.real("TC");
     foam.tensile_cutoff = value_or(cutoff, 1e20);
     if (cutoff < 0) reject_field(record, "TC", fmt::format("{} is negative (tensile cut-off)", cutoff));
@@ -51,6 +32,28 @@ LowDensityFoam LowDensityFoam::from_record(const Record& record, const Model& mo
         reject_field(record, "REF", "a reference geometry is not supported; leave the field at 0");
     }
     return foam;
+}
+
+void LowDensityFoam::set_loading(const Record& record, std::string_view field, Hardening curves,
+                                 const Curve& slowest)
+{
+    for (std::size_t i = 0; i < slowest.abscissa.size(); ++i) {
+        if (slowest.abscissa[i] >= 0 && slowest.ordinate[i] >= 0) continue;
+        reject_field(record, field,
+                     fmt::format("the point ({}, {}) of the curve is negative; compression is positive",
+                                 slowest.abscissa[i], slowest.ordinate[i]));
+    }
+    loading = std::move(curves);
+    place = {0};
+    stress_at = {loading(0.0, 0.0).stress};
+    energy_at = {0};
+    for (double strain : slowest.abscissa) {
+        if (strain <= 0) continue;
+        const double stress = loading(strain, 0.0).stress;
+        energy_at.push_back(energy_at.back() + 0.5 * (strain - place.back()) * (stress_at.back() + stress));
+        place.push_back(strain);
+        stress_at.push_back(stress);
+    }
 }
 
 double LowDensityFoam::energy(double strain) const

@@ -39,6 +39,15 @@ struct LowDensityFoam {
                 const SymmetricTensor<Lane>& /*increment*/, HistoryView<Lane> history,
                 double /*time_step*/) const
     {
+        respond(stress, deformation, history, [](const Vector3<Lane>&, const Lane&) { return Lane{}; });
+    }
+
+    /// The same under a strain rate: rate(axis, stretch) of a principal direction, compression positive
+    /// [1/time].
+    template <class Lane, class Rate>
+    void respond(SymmetricTensor<Lane>& stress, const Tensor3<Lane>& deformation, HistoryView<Lane> history,
+                 Rate&& rate) const
+    {
         PrincipalAxes<Lane> principal = principal_axes(left_cauchy_green(deformation).left);
         const Lane inverse_volume = 1.0 / determinant(deformation), one = broadcast<Lane>(1);
         std::array<Lane, 3> stretch;
@@ -56,7 +65,8 @@ struct LowDensityFoam {
         }
         for (int i = 0; i < 3; ++i) {
             const Lane strain = 1.0 - stretch[i];
-            const Lane pressed = left * loading(max(strain, Lane{}), Lane{}).stress;
+            const Lane speed = rate(principal.axis[i], stretch[i]);
+            const Lane pressed = left * loading(max(strain, Lane{}), max(speed, Lane{})).stress;
             const Lane pulled = min(-young_modulus * strain, broadcast<Lane>(tensile_cutoff));
             if (tears) {
                 history[torn] = -young_modulus * strain >= tensile_cutoff ? one : history[torn];
@@ -77,7 +87,9 @@ struct LowDensityFoam {
         Lane largest{};
         for (int i = 0; i < 3; ++i) {
             const Lane square = max(principal.value[i], Lane{}), strain = 1.0 - sqrt(square);
-            Lane slope = loading(max(strain, Lane{}), Lane{}).slope;
+            const Lane pressed = max(strain, Lane{});
+            Lane slope = loading(pressed, Lane{}).slope;
+            if (loading.depends_on_rate()) slope = max(slope, loading(pressed, broadcast<Lane>(1e300)).slope);
             if (hysteresis < 1) {
                 const auto steeper = [&](double e) {
                     const double whole = energy(e);
@@ -91,6 +103,10 @@ struct LowDensityFoam {
         }
         return largest / determinant(deformation);
     }
+
+    /// Takes the loading curves and sums up the energy below the one of the lowest rate; DeckError for
+    /// negative points of that curve.
+    void set_loading(const Record& record, std::string_view field, Hardening curves, const Curve& slowest);
 
     /// Energy that the loading curve has taken up at a compressive strain [stress].
     double energy(double strain) const;

@@ -1,3 +1,4 @@
+#include "materials/fu_chang_foam.h"
 #include "materials/low_density_foam.h"
 #include "tests/support/records.h"
 
@@ -99,6 +100,83 @@ TEST(LowDensityFoam, PressedOnAllSides)
     EXPECT_NEAR(stress.xy, 0, 1e-15);
     const Tensor3<double> dense{0.3, 0, 0, 0, 1, 0, 0, 0, 1};
     EXPECT_NEAR(law.wave_modulus(dense), 0.5 / 0.3, 1e-13); // E of the other directions: below 0.8 x 0.09
+}
+
+namespace {
+
+FuChangFoam rated(std::vector<std::pair<const char*, double>> more = {})
+{
+    Model model;
+    const auto add = [&](Id id, Curve curve) {
+        NamedCurve named;
+        named.id = id;
+        named.curve = std::move(curve);
+        model.curves.push_back(named);
+    };
+    add(1, {{0, 0.1, 0.8}, {0, 0.02, 0.09}});
+    add(2, {{0, 0.1, 0.8}, {0, 0.06, 0.27}}); // three times as much at the rate 100
+    NamedTable table;
+    table.id = 9;
+    table.abscissa = {0, 100};
+    table.curves = {0, 1};
+    model.tables.push_back(table);
+    more.insert(more.end(), {{"RO", 1}, {"E", 0.5}, {"TBID", 9}});
+    return FuChangFoam::from_record(make_record("MAT_FU_CHANG_FOAM", std::move(more)), model);
+}
+
+/// Pressed along x at a constant nominal rate from a stretch on; nominal stress at the end.
+double press(const FuChangFoam& law, double& stretch, double to, double rate, double* history)
+{
+    const int steps = 4000;
+    const double start = stretch, time = std::abs(start - to) / rate;
+    SymmetricTensor<double> stress{};
+    for (int i = 1; i <= steps; ++i) {
+        const double next = start + (to - start) * i / steps;
+        const double strain = (next - stretch) / (0.5 * (next + stretch)); // of mid-step
+        law.update(stress, Tensor3<double>{next, 0, 0, 0, 1, 0, 0, 0, 1},
+                   SymmetricTensor<double>{strain, 0, 0, 0, 0, 0}, HistoryView<double>{history},
+                   time / steps);
+        stretch = next;
+    }
+    return stress.xx;
+}
+
+} // namespace
+
+/// Between the curves of its table, linear in the nominal rate; back along the curve of the lowest rate (HU = 0).
+/// The mean rate lags by some eleven steps of 1e-4, in which the stretch of 0.6 changes by 0.2 %.
+TEST(FuChangFoam, PressedFollowsTheCurveOfItsRate)
+{
+    for (const double flag : {0.0, 1.0, 2.0}) {
+        const FuChangFoam law = rated({{"SFLAG", 1}, {"RFLAG", flag}});
+        for (const auto& [rate, factor] : {std::pair{1e-6, 1.0}, {50.0, 2.0}, {100.0, 3.0}, {1000.0, 3.0}}) {
+            double history[FuChangFoam::history_size] = {}, stretch = 1;
+            const double slow = 0.02 + 0.3 * 0.1; // at 40 %
+            EXPECT_NEAR(press(law, stretch, 0.6, rate, history), -factor * slow, 0.006 * slow) << rate;
+            EXPECT_NEAR(press(law, stretch, 0.8, rate, history), -(0.02 + 0.1 * 0.1), 1e-9) << rate;
+        }
+    }
+}
+
+/// Rates of the logarithm (SFLAG = 0) are larger by 1 / stretch.
+TEST(FuChangFoam, TakesTrueRatesWithSflagZero)
+{
+    const FuChangFoam law = rated();
+    double history[FuChangFoam::history_size] = {}, stretch = 1;
+    const double factor = 1 + 2 * (30 / 0.6) / 100;
+    EXPECT_NEAR(press(law, stretch, 0.6, 30, history), -factor * 0.05, 0.006 * 0.05);
+}
+
+TEST(FuChangFoam, UnloadsByDamageWithHu)
+{
+    const FuChangFoam law = rated({{"HU", 0.3}, {"SHAPE", 2}});
+    double history[FuChangFoam::history_size] = {}, stretch = 1;
+    press(law, stretch, 0.6, 1e-6, history);
+    const double most = 0.001 + 0.3 * 0.5 * (0.02 + 0.05), now = 0.001 + 0.1 * 0.5 * (0.02 + 0.03);
+    const double left = 1 - 0.7 * (1 - std::pow(now / most, 2));
+    EXPECT_NEAR(press(law, stretch, 0.8, 1e-6, history), -0.03 * left, 1e-9);
+    EXPECT_THROW(rated({{"TFLAG", 1}}), DeckError);
+    EXPECT_THROW(rated({{"HU", 2}}), DeckError);
 }
 
 } // namespace plash
