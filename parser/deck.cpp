@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -248,7 +249,7 @@ private:
             read_parameters(block, file);
         } else if (name == "INCLUDE") {
             for (const auto& [path, line] : file_names(block))
-                include(path, {file.index, line}, block, file, file.transform);
+                include(with_parameters(path, file), {file.index, line}, block, file, file.transform);
         } else if (name == "INCLUDE_TRANSFORM" || name.starts_with("INCLUDE_AUTO_OFFSET")) {
             include_with_transform(block, file);
         } else if (name == "INCLUDE_PATH" || name == "INCLUDE_PATH_RELATIVE") {
@@ -343,6 +344,28 @@ private:
         return names;
     }
 
+    /// A file name with the values of the parameters in it: `bird_&MESH.k`. A name goes as far as letters,
+    /// digits and underscores do; what is no parameter stays as it is, for `&` may stand in file names.
+    std::string with_parameters(const std::string& name, const File& file) const
+    {
+        std::string result;
+        for (std::size_t i = 0; i < name.size();) {
+            std::size_t end = i + 1;
+            if (name[i] == '&') {
+                while (end < name.size() &&
+                       (std::isalnum(static_cast<unsigned char>(name[end])) || name[end] == '_'))
+                    ++end;
+                const Substitution value =
+                    deck_.parameters.substitute(std::string_view(name).substr(i, end - i), file.index);
+                result += value.error.empty() ? std::string(trimmed(value.text)) : name.substr(i, end - i);
+            } else {
+                result += name[i];
+            }
+            i = end;
+        }
+        return result;
+    }
+
     /// Windows separators as this system's.
     static fs::path native(std::string name)
     {
@@ -377,7 +400,7 @@ private:
         else
             read_auto_offset(block, deck_, report_, transform);
         deck_.transforms.push_back(std::make_unique<IncludeTransform>(std::move(transform)));
-        include(names.front().first, {file.index, names.front().second}, block, file,
+        include(with_parameters(names.front().first, file), {file.index, names.front().second}, block, file,
                 deck_.transforms.back().get());
     }
 

@@ -168,6 +168,23 @@ TEST(Includes, AreReadWhereTheyStandAndSearchedInPaths)
     EXPECT_EQ(result.model.files.size(), 3u);
 }
 
+TEST(Includes, NamesMayHoldParameters)
+{
+    const DeckFolder folder;
+    folder.write("mesh_2.k", "*NODE\n1,0.,0.,0.\n");
+    folder.write("mesh_4.k", "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n");
+    folder.write("soft.k", "*MAT_ELASTIC\n3,1.,2.\n");
+    folder.write("a&b.k", "*MAT_ELASTIC\n4,1.,2.\n"); // no parameter of that name: the file's own
+    const std::string deck =
+        folder.write("deck.k", "*KEYWORD\n*PARAMETER\nI MESH,2\nC   law,soft\n*INCLUDE\nmesh_&MESH.k\n"
+                               "&law.k\na&b.k\n*INCLUDE_TRANSFORM\nmesh_&mesh.k\n10\n*END\n");
+    const ReadResult coarse = read_model(deck);
+    EXPECT_EQ(errors_of(coarse), "");
+    EXPECT_EQ(coarse.model.nodes.size(), 2u);
+    EXPECT_EQ(coarse.model.materials.size(), 2u);
+    EXPECT_EQ(read_model(deck, {{{"MESH", "4"}}}).model.nodes.size(), 4u);
+}
+
 TEST(Includes, GuardAgainstThemselves)
 {
     const DeckFolder folder;
