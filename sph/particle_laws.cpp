@@ -1,6 +1,7 @@
 #include "eos/gruneisen.h"
 #include "eos/linear_polynomial.h"
 #include "eos/murnaghan.h"
+#include "eos/tabulated.h"
 #include "materials/elastic.h"
 #include "materials/piecewise_linear_plasticity.h"
 #include "materials/plastic_kinematic.h"
@@ -16,13 +17,18 @@ namespace plash {
 namespace {
 
 template <class Eos>
-ParticleLawOfPart fluid_of(const NullFluid& fluid, const Record& equation_of_state)
+ParticleLawOfPart fluid_with(const NullFluid& fluid, const Eos& eos)
 {
-    const Eos eos = Eos::from_record(equation_of_state, fluid.density);
     return {std::make_shared<FluidLaw<Eos>>(fluid, eos), fluid.density, fluid.viscosity};
 }
 
-ParticleLawOfPart make_fluid(const Record& material, const Record* equation_of_state, const Model&,
+template <class Eos>
+ParticleLawOfPart fluid_of(const NullFluid& fluid, const Record& equation_of_state)
+{
+    return fluid_with(fluid, Eos::from_record(equation_of_state, fluid.density));
+}
+
+ParticleLawOfPart make_fluid(const Record& material, const Record* equation_of_state, const Model& model,
                              const Part& part)
 {
     if (!equation_of_state) {
@@ -37,9 +43,12 @@ ParticleLawOfPart make_fluid(const Record& material, const Record* equation_of_s
         return fluid_of<LinearPolynomial>(fluid, *equation_of_state);
     }
     if (equation_of_state->keyword == "EOS_MURNAGHAN") return fluid_of<Murnaghan>(fluid, *equation_of_state);
+    if (equation_of_state->keyword == "EOS_TABULATED") {
+        return fluid_with(fluid, Tabulated::from_record(*equation_of_state, model));
+    }
     throw DeckError(equation_of_state->where,
                     fmt::format("*{} {} is not supported for the particles of part {}; there are "
-                                "EOS_LINEAR_POLYNOMIAL, EOS_GRUNEISEN and EOS_MURNAGHAN",
+                                "EOS_LINEAR_POLYNOMIAL, EOS_GRUNEISEN, EOS_MURNAGHAN and EOS_TABULATED",
                                 equation_of_state->keyword, equation_of_state->id, part.id));
 }
 

@@ -1,5 +1,7 @@
 #include "eos/gruneisen.h"
+#include "eos/tabulated.h"
 #include "tests/support/particle_setup.h"
+#include "tests/support/records.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -77,15 +79,26 @@ struct Bird {
     ParticleWorld world;
     double spacing;
 
-    /// across  particles along the radius; length in radii
-    Bird(int across, int length, bool nose, Kernel kernel, double smoothing_ratio) : spacing(radius / across)
+    static Gruneisen water()
     {
-        Gruneisen water;
-        water.s1 = 2;
-        water.gamma = 0.1;
-        water.bulk_modulus = 1000 * 1482.9 * 1482.9;
+        Gruneisen eos;
+        eos.s1 = 2;
+        eos.gamma = 0.1;
+        eos.bulk_modulus = 1000 * 1482.9 * 1482.9;
+        return eos;
+    }
+
+    /// across  particles along the radius; length in radii
+    Bird(int across, int length, bool nose, Kernel kernel, double smoothing_ratio)
+        : Bird(across, length, nose, kernel, smoothing_ratio, water(), 1000)
+    {}
+    template <class Eos>
+    Bird(int across, int length, bool nose, Kernel kernel, double smoothing_ratio, const Eos& eos,
+         double density)
+        : spacing(radius / across)
+    {
         NullFluid fluid;
-        fluid.density = 1000;
+        fluid.density = density;
         fluid.lowest_pressure = 0;
         std::vector<Vec3> positions;
         for (const Vec3& x : lattice({0, 0, 0}, across, across, length * across, spacing)) {
@@ -97,8 +110,8 @@ struct Bird {
         world.options.mirrors = {{{0, 0, 0}, {1, 0, 0}, false, {}},
                                  {{0, 0, 0}, {0, 1, 0}, false, {}},
                                  {{0, 0, 0}, {0, 0, 1}, false, {}}};
-        world.add_part(std::make_shared<FluidLaw<Gruneisen>>(fluid, water), 1000, positions,
-                       1000 * spacing * spacing * spacing, smoothing_ratio * spacing);
+        world.add_part(std::make_shared<FluidLaw<Eos>>(fluid, eos), density, positions,
+                       density * spacing * spacing * spacing, smoothing_ratio * spacing);
         world.open_state();
         for (Vec3& velocity : world.state.velocity) velocity.z = -speed;
         world.model.controls.time.step_scale = 0.5;
@@ -147,6 +160,52 @@ TEST(SphShocks, ABirdOnAPlateFeelsTheHugoniotPressure)
     for (int across : {10, 20}) {
         Bird bird(across, 1, false, Kernel::cubic_spline, 1.2);
         EXPECT_NEAR(bird.pressure_between(0.2 * passage, 0.6 * passage), 198.93e6, 0.05 * 198.93e6) << across;
+    }
+}
+
+/// The same with *EOS_TABULATED, as bird strikes use it: water with 10 % of air by volume, soft at first and
+/// as stiff as water once the air has gone. Behind the shock p = rho u^2 / (1 - V), V the table's volume at p
+/// (momentum and mass across a shock that comes to rest; the table does not depend on energy). Steps are
+/// capped: sound in the bird at rest is slow and would allow steps that the shock does not. Measured: +2.5 %
+/// with 20 particles along the radius, -2.2 % with 28; with 10 the ringing behind the shock has not died out
+/// when the release wave comes.
+TEST(SphShocks, ABirdOfWaterAndAirFeelsTheHugoniotPressureOfItsTable)
+{
+    const std::vector<double> table = {0, 0.5e6, 2e6, 6e6, 20e6, 50e6, 100e6, 200e6, 400e6, 800e6};
+    std::vector<double> strain;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const double p = table[i], stiffness = 1000 * 1482.9 * 1482.9 / 7;
+        strain.push_back(
+            std::log(0.9 * std::pow(p / stiffness + 1, -1 / 7.0) + 0.1 * std::pow(p / 101325 + 1, -1 / 1.4)));
+    }
+    const Record record = make_record(
+        "EOS_TABULATED",
+        {{"EV1", strain[0]}, {"EV2", strain[1]}, {"EV3", strain[2]}, {"EV4", strain[3]}, {"EV5", strain[4]},
+         {"EV6", strain[5]}, {"EV7", strain[6]}, {"EV8", strain[7]}, {"EV9", strain[8]}, {"EV10", strain[9]},
+         {"C1", table[0]},   {"C2", table[1]},   {"C3", table[2]},   {"C4", table[3]},   {"C5", table[4]},
+         {"C6", table[5]},   {"C7", table[6]},   {"C8", table[7]},   {"C9", table[8]},   {"C10", table[9]}});
+    const double density = 900;
+    double low = table[1], high = table.back(); // of the pressure behind the shock
+    for (int i = 0; i < 60; ++i) {
+        const double p = 0.5 * (low + high);
+        std::size_t k = 1;
+        while (table[k] < p) ++k;
+        const double share = (p - table[k - 1]) / (table[k] - table[k - 1]);
+        const double volume = std::exp(strain[k - 1] + share * (strain[k] - strain[k - 1]));
+        (p < density * speed * speed / (1 - volume) ? low : high) = p;
+    }
+    // From Wilbeck's (1978) formulas without a table, in steps of their own.
+    EXPECT_NEAR(low, 91.988e6, 0.005 * 91.988e6);
+    for (int across : {20, 28}) {
+        Bird bird(across, 1, false, Kernel::wendland_c2, 1.5, Tabulated::from_record(record, density),
+                  density);
+        const double passage = radius / 1482.9;
+        NamedCurve largest;
+        largest.curve.abscissa = {0, 1};
+        largest.curve.ordinate = {0.3 * bird.spacing / 1500, 0.3 * bird.spacing / 1500};
+        bird.world.model.curves.push_back(largest);
+        bird.world.model.controls.time.largest_step_curve = 0;
+        EXPECT_NEAR(bird.pressure_between(0.3 * passage, 0.65 * passage), low, 0.05 * low) << across;
     }
 }
 
