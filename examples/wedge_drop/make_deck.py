@@ -34,6 +34,7 @@ def arguments():
     parser.add_argument("--end", type=float, default=0.015, help="[s]")
     parser.add_argument("--sound", type=float, default=150e3, help="speed of sound in the water [mm/s]")
     parser.add_argument("--linear", type=float, default=LINEAR, help="artificial viscosity Q2")
+    parser.add_argument("--basin", type=float, nargs=2, default=BASIN, help="half width, height of the particles [mm]")
     parser.add_argument("--plane", action="store_true", help="plane strain: one layer of particles")
     parser.add_argument("--plain", action="store_true", help="LS-DYNA's default particles, without *PLASH_ keywords")
     return parser.parse_args()
@@ -78,10 +79,10 @@ def add_wedge(deck, spacing, deadrise):
     return (pieces + 1) * (REACH / pieces) * PLATE * deck.depth  # its volume
 
 
-def add_trough(deck):
+def add_trough(deck, basin):
     """One layer of solids around the basin, nodes held across the slice, at the walls and at the symmetry plane."""
     columns, rows = round(TROUGH[0] / CELL), round(TROUGH[1] / CELL)
-    inner_column, inner_row = round(BASIN[0] / CELL), round(BASIN[1] / CELL)
+    inner_column, inner_row = round(basin[0] / CELL), round(basin[1] / CELL)
     numbers = {}
 
     def number(i, j, k):
@@ -101,8 +102,8 @@ def add_trough(deck):
             deck.solids.append((SOLIDS, corners))
 
 
-def add_water(deck, spacing):
-    columns, rows = round(BASIN[0] / spacing), round(BASIN[1] / spacing)
+def add_water(deck, spacing, basin):
+    columns, rows = round(basin[0] / spacing), round(basin[1] / spacing)
     layers = max(1, round(deck.depth / spacing))
     for j in range(rows):
         for i in range(columns):
@@ -134,8 +135,8 @@ def main():
     depth = 1.0 if args.plane else SLICE
     deck = Deck(depth)
     wedge_volume = add_wedge(deck, args.spacing, args.deadrise)
-    add_trough(deck)
-    add_water(deck, args.spacing)
+    add_trough(deck, args.basin)
+    add_water(deck, args.spacing, args.basin)
     # The slice carries its share of half of the wedge.
     wedge_density = 1e-3 * args.mass / DEPTH * depth / 2 / wedge_volume
     viscosity = "" if args.linear == LINEAR else VISCOSITY_CARD.format(args.linear)
