@@ -27,7 +27,7 @@ CompositeDamage CompositeDamage::from_record(const Record& record, const Model&)
         law.xc = std::abs(record.real("XC"));
         law.beta = record.real("BETA");
         law.fiber_reduction = record.real("FBRT");
-        law.compression_factor = record.real("YCFAC", 2);
+        law.compression_factor = value_or(record.real("YCFAC"), 2);
         law.tension_strain = record.real("DFAILT");
         law.compression_strain = -std::abs(record.real("DFAILC"));
         law.matrix_strain = record.real("DFAILM");

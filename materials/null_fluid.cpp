@@ -12,7 +12,7 @@ NullFluid NullFluid::from_record(const Record& record)
     if (cutoff > 0) {
         reject_field(record, "PC", fmt::format("{} is positive; a cut-off in tension is negative", cutoff));
     }
-    if (cutoff < 0) fluid.lowest_pressure = cutoff;
+    fluid.lowest_pressure = cutoff;
     fluid.viscosity = record.real("MU");
     if (fluid.viscosity < 0) reject_field(record, "MU", fmt::format("{} is negative", fluid.viscosity));
     fluid.largest_volume = record.real("TEROD");
