@@ -132,6 +132,45 @@ TEST(CompositeDamage, TheMatrixStaysAtItsStrength)
     EXPECT_NEAR(wu.stress.yy, -100, 0.05);
 }
 
+/// Stress of a failed matrix lies inside the criterion wherever the strain goes, and unloads elastically.
+TEST(CompositeDamage, TheMatrixKeepsToItsCriterion)
+{
+    auto ply = chang({{"DFAILT", 1}});
+    std::mt19937 random(3);
+    const auto draw = [&] { return random() / 2147483648.0 - 1.0; };
+    double largest = 0;
+    for (int i = 0; i < 2000; ++i) {
+        ply.strain(0, 0.002 * draw(), 0.004 * draw(), 10);
+        const double b = ply.stress.yy, shear = ply.stress.xy * ply.stress.xy / 3600;
+        const double index =
+            b >= 0 ? b * b / (29 * 29.0) + shear
+                   : b * b / (120 * 120.0) + (100.0 / 120 * (100.0 / 120) - 1) * b / 100 + shear;
+        largest = std::max(largest, index);
+    }
+    EXPECT_LE(largest, 1 + 1e-12);
+    EXPECT_GT(largest, 1 - 1e-12);
+    auto back = chang();
+    back.strain(0, -0.02, 0, 1000);
+    back.strain(0, 0.005, 0, 10);
+    EXPECT_NEAR(back.stress.yy, -100 + 43, 0.01);
+}
+
+/// XC becomes YCFAC YC when the matrix has failed in compression, not when it has failed in tension; 0
+/// means 2.
+TEST(CompositeDamage, FibersLoseStrengthWithACrushedMatrix)
+{
+    for (double factor : {0.0, 3.0}) {
+        auto crushed = chang({{"YCFAC", factor}});
+        crushed.strain(0, -0.02, 0, 1000);
+        crushed.strain(-0.02, 0, 0, 1000);
+        EXPECT_NEAR(crushed.stress.xx, factor > 0 ? -300 : -200, 1e-9);
+    }
+    auto torn = chang();
+    torn.strain(0, 0.02, 0, 1000);
+    torn.strain(-0.02, 0, 0, 1000);
+    EXPECT_NEAR(torn.stress.xx, -1082, 1e-9);
+}
+
 /// However a broken ply is strained, it takes energy and gives none.
 TEST(CompositeDamage, FailedPliesGiveNoEnergy)
 {

@@ -2,6 +2,7 @@
 #include "solver/scene.h"
 #include "sph/particle_bodies.h"
 #include "tests/support/particle_setup.h"
+#include "tests/support/records.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -177,6 +178,14 @@ TEST(SphDeck, NoticesDensitiesThatMassesCannotWeigh)
     EXPECT_EQ(said[0],
               "particles of parts 2 and 1 have the densities 100 and 1000: where they meet, FORM 0 to 4 "
               "and 12 of *CONTROL_SPH are wrong by that ratio; FORM 5 and 6 are not");
+}
+
+/// LS-DYNA's particles of a wing's bird with PC = 0 end with no pressure below 0 at 7 to 84 % of their
+/// density.
+TEST(SphDeck, NullFluidsCannotPullUnlessPcSaysSo)
+{
+    EXPECT_EQ(NullFluid::from_record(make_record("MAT_NULL", {{"RO", 1}})).lowest_pressure, 0);
+    EXPECT_EQ(NullFluid::from_record(make_record("MAT_NULL", {{"RO", 1}, {"PC", -5}})).lowest_pressure, -5);
 }
 
 } // namespace plash
