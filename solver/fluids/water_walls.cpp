@@ -12,7 +12,7 @@ namespace plash {
 namespace {
 
 constexpr FreedomMask translations = 7;
-constexpr char axis_names[] = "xyz";
+constexpr char wall_axis_names[] = "xyz";
 
 /// The axis that a direction lies along; -1: none.
 int axis_along(const Vec3& direction)
@@ -160,7 +160,7 @@ private:
         if (room < -tolerance_)
             throw DeckError({}, fmt::format("{}: the wall {} = {:g} lies within the water, which has no "
                                             "counterpart in other forms of water",
-                                            wall.origin, axis_names[wall.axis], wall.at));
+                                            wall.origin, wall_axis_names[wall.axis], wall.at));
         walls_.push_back(std::move(wall));
     }
 };

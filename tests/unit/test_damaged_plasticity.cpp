@@ -12,8 +12,9 @@ namespace plash {
 namespace {
 
 // Units: mm, ms, kg, GPa.
-constexpr double young = 200, poisson = 0.3, sigma = 0.3, tangent = 2;
-constexpr double shear = young / (2 * (1 + poisson)), hardening = young * tangent / (young - tangent);
+constexpr double sheet_young = 200, sheet_poisson = 0.3, sheet_yield = 0.3, sheet_tangent = 2;
+constexpr double sheet_shear = sheet_young / (2 * (1 + sheet_poisson)),
+                 sheet_hardening = sheet_young * sheet_tangent / (sheet_young - sheet_tangent);
 
 Model curves()
 {
@@ -32,15 +33,19 @@ Model curves()
 
 DamagedPlasticity damaged(std::vector<std::pair<const char*, double>> more)
 {
-    more.insert(more.end(),
-                {{"RO", 7.8e-6}, {"E", young}, {"PR", poisson}, {"SIGY", sigma}, {"ETAN", tangent}});
+    more.insert(more.end(), {{"RO", 7.8e-6},
+                             {"E", sheet_young},
+                             {"PR", sheet_poisson},
+                             {"SIGY", sheet_yield},
+                             {"ETAN", sheet_tangent}});
     return DamagedPlasticity::from_record(make_record("MAT_PLASTICITY_WITH_DAMAGE", std::move(more)),
                                           curves());
 }
 
 CompressionTension concrete(std::vector<std::pair<const char*, double>> more)
 {
-    more.insert(more.end(), {{"RO", 7.8e-6}, {"E", young}, {"PR", poisson}, {"LCIDC", 2}, {"LCIDT", 3}});
+    more.insert(more.end(),
+                {{"RO", 7.8e-6}, {"E", sheet_young}, {"PR", sheet_poisson}, {"LCIDC", 2}, {"LCIDT", 3}});
     return CompressionTension::from_record(make_record("MAT_PLASTICITY_COMPRESSION_TENSION", std::move(more)),
                                            curves());
 }
@@ -51,7 +56,7 @@ struct Sheared {
 };
 Sheared sheared(double g, double first, double slope)
 {
-    const double p = (g / std::sqrt(3.0) - first / (3 * shear)) / (1 + slope / (3 * shear));
+    const double p = (g / std::sqrt(3.0) - first / (3 * sheet_shear)) / (1 + slope / (3 * sheet_shear));
     return {p, (first + slope * p) / std::sqrt(3.0)};
 }
 
@@ -66,18 +71,18 @@ TEST(DamagedPlasticity, ShearedLosesStrengthAndStiffness)
     EXPECT_TRUE(law.fractures());
     testing::DrivenPoint point(law);
     point.strain({0, 0, 0, 0.5 * 0.08, 0, 0}, 100);
-    const Sheared whole = sheared(0.08, sigma, hardening);
+    const Sheared whole = sheared(0.08, sheet_yield, sheet_hardening);
     EXPECT_LT(whole.plastic, onset);
     EXPECT_NEAR(point.stress.xy, whole.stress, 1e-12);
     point.strain({0, 0, 0, 0.5 * 0.12, 0, 0}, 100);
-    const Sheared hurt = sheared(0.2, sigma, hardening);
+    const Sheared hurt = sheared(0.2, sheet_yield, sheet_hardening);
     const double w = (hurt.plastic - onset) / (rupture - onset);
     EXPECT_NEAR(point.history[DamagedPlasticity::plastic_strain], hurt.plastic, 1e-12);
     EXPECT_NEAR(point.stress.xy, (1 - w) * hurt.stress, 1e-12);
     point.strain({0, 0, 0, -0.5e-4, 0, 0});
-    EXPECT_NEAR(point.stress.xy, (1 - w) * (hurt.stress - shear * 1e-4), 1e-12);
+    EXPECT_NEAR(point.stress.xy, (1 - w) * (hurt.stress - sheet_shear * 1e-4), 1e-12);
     point.strain({1e-5, 1e-5, 1e-5, 0, 0, 0}); // the bulk modulus too
-    EXPECT_NEAR(point.stress.xx, (1 - w) * 3e-5 * young / (3 * (1 - 2 * poisson)), 1e-12);
+    EXPECT_NEAR(point.stress.xx, (1 - w) * 3e-5 * sheet_young / (3 * (1 - 2 * sheet_poisson)), 1e-12);
     point.strain({0, 0, 0, 0.5, 0, 0}, 500);
     EXPECT_TRUE(law.failed(HistoryView<double>{point.history.data()}));
     EXPECT_EQ(point.stress.xy, 0);
@@ -88,7 +93,7 @@ TEST(DamagedPlasticity, FollowsTheCurveOfDamage)
     const DamagedPlasticity law = damaged({{"EPPF", 0.03}, {"LCDM", 1}});
     testing::DrivenPoint point(law);
     point.strain({0, 0, 0, 0.5 * 0.3, 0, 0}, 300);
-    const Sheared hurt = sheared(0.3, sigma, hardening);
+    const Sheared hurt = sheared(0.3, sheet_yield, sheet_hardening);
     const double beyond = hurt.plastic - 0.03, w = 0.4 + (beyond - 0.1) * 1;
     EXPECT_GT(beyond, 0.1);
     EXPECT_NEAR(point.stress.xy, (1 - w) * hurt.stress, 1e-12);
@@ -118,8 +123,8 @@ TEST(DamagedPlasticity, PulledAsAShellPointLosesItsShare)
         history = end_history;
     }
     const double p = history[DamagedPlasticity::plastic_strain], w = (p - onset) / (rupture - onset);
-    EXPECT_NEAR(p, 0.06 - (sigma + hardening * p) / young, 1e-6);
-    EXPECT_NEAR(stress.xx, (1 - w) * (sigma + hardening * p), 1e-6);
+    EXPECT_NEAR(p, 0.06 - (sheet_yield + sheet_hardening * p) / sheet_young, 1e-6);
+    EXPECT_NEAR(stress.xx, (1 - w) * (sheet_yield + sheet_hardening * p), 1e-6);
 }
 
 TEST(DamagedPlasticity, WrongDamageIsRefused)
@@ -154,14 +159,14 @@ TEST(CompressionTension, HasOneCurveForEachSign)
         }
         const double p = history[0], flow = sign > 0 ? 0.2 + 0.1 * p : 0.5 + 0.2 * p;
         EXPECT_NEAR(stress.xx, sign * flow, 1e-9) << sign;
-        EXPECT_NEAR(p, 0.02 - flow / young, 1e-6) << sign;
+        EXPECT_NEAR(p, 0.02 - flow / sheet_young, 1e-6) << sign;
     }
     const CompressionTension blended = concrete({{"PC", 0.3}, {"PT", 0.1}});
     testing::DrivenPoint point(blended); // pressure 0: a quarter of the way from tension to compression
     point.strain({0, 0, 0, 0.5 * 0.1, 0, 0}, 10);
     const Sheared between = sheared(0.1, 0.2 + 0.25 * 0.3, 0.1 + 0.25 * 0.1);
     EXPECT_NEAR(point.stress.xy, between.stress, 1e-12);
-    const double bulk = young / (3 * (1 - 2 * poisson)); // at a pressure of 0.2: three quarters
+    const double bulk = sheet_young / (3 * (1 - 2 * sheet_poisson)); // at a pressure of 0.2: three quarters
     point.strain({-0.2 / (3 * bulk), -0.2 / (3 * bulk), -0.2 / (3 * bulk), 0, 0, 0});
     EXPECT_NEAR(trace(point.stress) / 3, -0.2, 1e-12);
     point.strain({0, 0, 0, 0.5 * 0.1, 0, 0}, 10);
@@ -203,7 +208,7 @@ TEST(CompressionTension, PressedAsAShellPointFollowsItsCurve)
         history = end_history;
     }
     EXPECT_NEAR(stress.xx, -(0.5 + 0.2 * history[0]), 1e-9);
-    EXPECT_NEAR(history[0], 0.02 + stress.xx / young, 1e-6);
+    EXPECT_NEAR(history[0], 0.02 + stress.xx / sheet_young, 1e-6);
 }
 
 } // namespace plash

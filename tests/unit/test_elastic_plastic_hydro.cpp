@@ -11,13 +11,13 @@ namespace plash {
 namespace {
 
 // Units: mm, ms, kg, GPa.
-constexpr double shear_modulus = 46;
+constexpr double hydro_shear = 46;
 
 ElasticPlasticHydro metal(std::vector<std::pair<const char*, double>> more,
                           const char* keyword = "MAT_ELASTIC_PLASTIC_HYDRO")
 {
     more.push_back({"RO", 8.9e-6});
-    more.push_back({"G", shear_modulus});
+    more.push_back({"G", hydro_shear});
     return ElasticPlasticHydro::from_record(make_record(keyword, std::move(more)), Model{});
 }
 
@@ -79,16 +79,16 @@ TEST(ElasticPlasticHydro, HardensLinearlyAndWithPressure)
     const auto law = metal({{"SIG0", sigma}, {"EH", hardening}, {"A1", a1}, {"A2", a2}},
                            "MAT_ELASTIC_PLASTIC_HYDRO_SPALL");
     // Simple shear: equivalent strain g / sqrt(3) = plastic + q / 3 G, q = yield + EH plastic.
-    const double g = 0.2, plastic = (g / std::sqrt(3.0) - yield / (3 * shear_modulus)) /
-                                    (1 + hardening / (3 * shear_modulus));
+    const double g = 0.2, plastic = (g / std::sqrt(3.0) - yield / (3 * hydro_shear)) /
+                                    (1 + hardening / (3 * hydro_shear));
     double found = 0;
     EXPECT_NEAR(sheared(law, g, p, &found), (yield + hardening * plastic) / std::sqrt(3.0), 1e-13);
     EXPECT_NEAR(found, plastic, 1e-14);
     // In tension the pressure does nothing.
     const double loose =
-        (g / std::sqrt(3.0) - sigma / (3 * shear_modulus)) / (1 + hardening / (3 * shear_modulus));
+        (g / std::sqrt(3.0) - sigma / (3 * hydro_shear)) / (1 + hardening / (3 * hydro_shear));
     EXPECT_NEAR(sheared(law, g, -p), (sigma + hardening * loose) / std::sqrt(3.0), 1e-13);
-    EXPECT_NEAR(sheared(law, 1e-4, p), shear_modulus * 1e-4, 1e-15);
+    EXPECT_NEAR(sheared(law, 1e-4, p), hydro_shear * 1e-4, 1e-15);
 }
 
 TEST(ElasticPlasticHydro, FollowsItsPoints)
@@ -99,7 +99,7 @@ TEST(ElasticPlasticHydro, FollowsItsPoints)
     const double stress = sheared(law, 0.2, 0, &plastic);
     EXPECT_GT(plastic, 0.05);
     EXPECT_NEAR(std::sqrt(3.0) * stress, 0.2 + (plastic - 0.05) * 0.2, 1e-12);
-    EXPECT_NEAR(plastic + stress / std::sqrt(3.0) / shear_modulus, 0.2 / std::sqrt(3.0), 1e-12);
+    EXPECT_NEAR(plastic + stress / std::sqrt(3.0) / hydro_shear, 0.2 / std::sqrt(3.0), 1e-12);
 }
 
 TEST(ElasticPlasticHydro, FailsAtItsStrain)
@@ -119,7 +119,7 @@ TEST(ElasticPlasticHydro, SpallsInThreeWays)
     const auto material = [&](double model) {
         return testing::record_of(
             "MAT_ELASTIC_PLASTIC_HYDRO_SPALL", 1,
-            {{"RO", 8.9e-6}, {"G", shear_modulus}, {"SIG0", sigma}, {"PC", cutoff}, {"SPALL", model}});
+            {{"RO", 8.9e-6}, {"G", hydro_shear}, {"SIG0", sigma}, {"PC", cutoff}, {"SPALL", model}});
     };
     // mu = 1 / V - 1: 0.004 of stretch gives -0.518; the axial stress reaches 0.5 at 0.0029 already.
     const double mild = 0.003;

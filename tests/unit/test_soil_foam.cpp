@@ -11,25 +11,16 @@ namespace plash {
 namespace {
 
 // Units: mm, ms, kg, GPa; a sand like that of the drop tests of NASA's fuselage sections.
-constexpr double shear_modulus = 0.01, bulk_modulus = 0.5;
-constexpr double a0 = 4e-8, a1 = 2e-5, a2 = 0.3, cutoff = -2e-4;
+constexpr double soil_shear = 0.01, soil_bulk = 0.5;
+constexpr double soil_a0 = 4e-8, soil_a1 = 2e-5, soil_a2 = 0.3, soil_cutoff = -2e-4;
 
 SoilFoam sand(std::vector<std::pair<const char*, double>> more = {},
               const char* keyword = "MAT_SOIL_AND_FOAM")
 {
-    std::vector<std::pair<const char*, double>> fields{{"RO", 1.6e-6},
-                                                       {"G", shear_modulus},
-                                                       {"BULK", bulk_modulus},
-                                                       {"A0", a0},
-                                                       {"A1", a1},
-                                                       {"A2", a2},
-                                                       {"PC", cutoff},
-                                                       {"EPS1", 0},
-                                                       {"EPS2", -0.05},
-                                                       {"EPS3", -0.15},
-                                                       {"P1", 0},
-                                                       {"P2", 1e-3},
-                                                       {"P3", 11e-3}};
+    std::vector<std::pair<const char*, double>> fields{
+        {"RO", 1.6e-6},  {"G", soil_shear},   {"BULK", soil_bulk}, {"A0", soil_a0}, {"A1", soil_a1},
+        {"A2", soil_a2}, {"PC", soil_cutoff}, {"EPS1", 0},         {"EPS2", -0.05}, {"EPS3", -0.15},
+        {"P1", 0},       {"P2", 1e-3},        {"P3", 11e-3}};
     fields.insert(fields.begin(), more.begin(), more.end()); // the first of a name counts
     return SoilFoam::from_record(make_record(keyword, std::move(fields)), Model{});
 }
@@ -42,7 +33,7 @@ double pressure_of(const SymmetricTensor<double>& stress)
 /// Yield stress at a pressure.
 double strength(double p)
 {
-    return std::sqrt(3 * (a0 + a1 * p + a2 * p * p));
+    return std::sqrt(3 * (soil_a0 + soil_a1 * p + soil_a2 * p * p));
 }
 
 } // namespace
@@ -61,7 +52,7 @@ TEST(SoilFoam, CrushesAlongItsTableAndUnloadsWithItsBulkModulus)
     EXPECT_NEAR(squeeze(0.05), 6e-3, 1e-15); // 1e-3 + 0.05 * 0.1
     EXPECT_NEAR(squeeze(-0.004), 6e-3 - 0.5 * 0.004, 1e-15);
     EXPECT_NEAR(squeeze(0.004), 6e-3, 1e-15); // the way back is the way up
-    EXPECT_NEAR(squeeze(-0.05), cutoff, 1e-15);
+    EXPECT_NEAR(squeeze(-0.05), soil_cutoff, 1e-15);
     EXPECT_NEAR(squeeze(0.05), 6e-3, 1e-15);
     EXPECT_NEAR(squeeze(0.10), 16e-3, 1e-15); // beyond the last point with its slope
     EXPECT_NEAR(squeeze(-0.01), 16e-3 - 0.5 * 0.01, 1e-15);
@@ -84,14 +75,14 @@ TEST(SoilFoam, ShearedUnderPressureBearsWhatItsYieldSurfaceSays)
     testing::DrivenPoint point(soil);
     const double p = 6e-3;
     point.strain({-0.1 / 3, -0.1 / 3, -0.1 / 3, 0, 0, 0}, 10);
-    const double elastic = 0.3 * strength(p) / std::sqrt(3.0) / shear_modulus; // engineering shear strain
+    const double elastic = 0.3 * strength(p) / std::sqrt(3.0) / soil_shear; // engineering shear strain
     point.strain({0, 0, 0, 0.5 * elastic, 0, 0}, 3);
-    EXPECT_NEAR(point.stress.xy, shear_modulus * elastic, 1e-15);
+    EXPECT_NEAR(point.stress.xy, soil_shear * elastic, 1e-15);
     point.strain({0, 0, 0, 5 * elastic, 0, 0}, 7);
     EXPECT_NEAR(std::sqrt(3.0) * point.stress.xy, strength(p), 1e-15);
     EXPECT_NEAR(pressure_of(point.stress), p, 1e-15);
     // Equivalent plastic strain: all shear strain less the elastic part, over sqrt(3).
-    const double total = 11 * elastic, yield = strength(p) / std::sqrt(3.0) / shear_modulus;
+    const double total = 11 * elastic, yield = strength(p) / std::sqrt(3.0) / soil_shear;
     EXPECT_NEAR(point.history[SoilFoam::plastic_strain], (total - yield) / std::sqrt(3.0), 1e-13);
 }
 

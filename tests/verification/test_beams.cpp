@@ -28,7 +28,7 @@ Fields integrated()
     return {{"ELFORM", 1}, {"SHRF", 5.0 / 6}, {"QR/IRID", 3}, {"TS1", 4}, {"TT1", 6}};
 }
 
-Fields resultant()
+Fields resultant_section()
 {
     return {{"ELFORM", 2}, {"A", 24}, {"ISS", 4 * 216.0 / 12}, {"ITT", 6 * 64.0 / 12}, {"SA", 20}};
 }
@@ -62,7 +62,7 @@ TEST(Beams, BendAsTheirTheoriesSay)
         const double bending = load * length * length * length / (3 * young_modulus * inertia);
         const double shear = load * length / (shear_modulus * 20);
         // The cubic element is exact with one element; the one-point element misses 1 / (4 n^2) of bending.
-        const Vec3 one = tip_under(direction, load, resultant(), length, 1);
+        const Vec3 one = tip_under(direction, load, resultant_section(), length, 1);
         EXPECT_NEAR(dot(one, direction), bending + shear, 1e-4 * bending);
         const Vec3 eight = tip_under(direction, load, integrated(), length, 8);
         EXPECT_NEAR(dot(eight, direction), bending * (1 - 1.0 / 256) + shear, 1e-4 * bending);
@@ -76,7 +76,7 @@ TEST(Beams, FirstFrequencyIsThatOfEulerAndBernoulli)
     for (const bool points : {true, false}) {
         const double length = 100;
         const int count = 20;
-        Model model = beam_model(steel(), points ? integrated() : resultant(), length, count);
+        Model model = beam_model(steel(), points ? integrated() : resultant_section(), length, count);
         hold(model, {0}, all_freedoms);
         const double b = 1.87510406871196; // cos(b) cosh(b) = -1
         const double omega = b * b * std::sqrt(young_modulus * 32 / (density * 24)) / (length * length);
