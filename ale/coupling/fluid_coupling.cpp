@@ -122,7 +122,10 @@ void FluidCoupling::look(std::size_t point, const Clock& clock, const State& sta
     const MeshPoint at = fluid.locate(motion.position, cell_[point]);
     if (!at.inside) return;
     cell_[point] = at.cell;
-    if (fraction_before(motion.position, touch, at.cell) < options_.least_fraction) return;
+    // A point that holds fluid lets it go later than it took it: what has come through would be lost with the
+    // spring, again and again where the fraction wavers.
+    const double least = (penetration_[point] != 0 ? 0.5 : 1) * options_.least_fraction;
+    if (fraction_before(motion.position, touch, at.cell) < least) return;
 
     touch.at = fluid.node_weights(at);
     double filled = 0, density = 0;
@@ -211,6 +214,48 @@ void FluidCoupling::limit_stiffness(const State& state)
     }
 }
 
+void FluidCoupling::stretch(std::size_t point, const Clock& clock)
+{
+    Touch& touch = touches_[point];
+    if (!touch.active) return;
+    const double normal_speed = dot(touch.approach, touch.normal);
+    double& depth = penetration_[point];
+    depth += normal_speed * clock.last_step;
+    depth += options_.leak_control * touch.excess;
+    touch.pressing = touch.stiffness * depth + touch.damper * normal_speed;
+    if (options_.pressure_curve != none)
+        touch.pressing = touch.area * curve_value(model_, options_.pressure_curve, depth);
+}
+
+/// In compression only the fluid leaves the surface where the points around press it away no longer, taken
+/// together. One by one they would press on what comes and let go what returns, so that any wavering of the
+/// fluid pumps it through the surface.
+void FluidCoupling::separate()
+{
+    for (std::size_t point = 0; point < touches_.size(); ++point) {
+        const Touch& touch = touches_[point];
+        if (!touch.active) continue;
+        for (int corner = 0; corner < 8; ++corner)
+            load_[touch.at.place[corner]] += touch.at.weight[corner] * touch.pressing;
+    }
+    for_chunks(touches_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t point = begin; point < end; ++point) {
+            Touch& touch = touches_[point];
+            if (!touch.active || touch.pressing >= 0) continue;
+            double around = 0;
+            for (int corner = 0; corner < 8; ++corner)
+                around += touch.at.weight[corner] * load_[touch.at.place[corner]];
+            if (around > 0) continue;
+            touch.pressing = 0;
+            penetration_[point] = std::max(penetration_[point], 0.0);
+        }
+    });
+    for (const Touch& touch : touches_) {
+        if (!touch.active) continue;
+        for (int corner = 0; corner < 8; ++corner) load_[touch.at.place[corner]] = 0;
+    }
+}
+
 void FluidCoupling::press(std::size_t point, const Clock& clock)
 {
     const Touch& touch = touches_[point];
@@ -219,25 +264,18 @@ void FluidCoupling::press(std::size_t point, const Clock& clock)
         slip_[point] = force_[point] = {};
         return;
     }
-    const double normal_speed = dot(touch.approach, touch.normal);
-    double& depth = penetration_[point];
-    depth += normal_speed * clock.last_step;
-    depth += options_.leak_control * touch.excess;
-    if (options_.direction == Direction::compression) depth = std::max(depth, 0.0);
-    double pressing = touch.stiffness * depth + touch.damper * normal_speed;
-    if (options_.pressure_curve != none)
-        pressing = touch.area * curve_value(model_, options_.pressure_curve, depth);
-    if (options_.direction == Direction::compression) pressing = std::max(pressing, 0.0);
+    const double pressing = touch.pressing;
     force_[point] = -pressing * touch.normal;
 
     const bool held = options_.direction == Direction::all;
     if (!held && options_.friction == 0) return;
-    const Vec3 across = touch.approach - normal_speed * touch.normal;
+    const Vec3 across = touch.approach - dot(touch.approach, touch.normal) * touch.normal;
     Vec3& slip = slip_[point];
     slip += clock.last_step * across;
     slip -= dot(slip, touch.normal) * touch.normal;
     Vec3 drag = touch.stiffness * slip + touch.damper * across;
-    const double most = held ? std::numeric_limits<double>::infinity() : options_.friction * pressing;
+    const double most =
+        held ? std::numeric_limits<double>::infinity() : options_.friction * std::max(pressing, 0.0);
     if (const double size = norm(drag); size > most) {
         drag = (most / size) * drag;
         if (touch.stiffness > 0) slip = (1 / touch.stiffness) * drag;
@@ -295,6 +333,10 @@ void FluidCoupling::add_forces(const Clock& clock, State& state)
         for (std::size_t point = begin; point < end; ++point) look(point, clock, state);
     });
     limit_stiffness(state);
+    for_chunks(points_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t point = begin; point < end; ++point) stretch(point, clock);
+    });
+    if (options_.direction == Direction::compression) separate();
     for_chunks(points_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t point = begin; point < end; ++point) press(point, clock);
     });

@@ -42,6 +42,7 @@ private:
         double stiffness = 0; ///< spring of the point [force/length]
         double damper = 0;    ///< [force time/length]
         Vec3 approach;        ///< velocity of the surface against the fluid [velocity]
+        double pressing = 0;  ///< normal force, positive apart [force]
         double excess = 0;    ///< how far fluid stands behind the surface [length]; only with leak control
         bool active = false;
     };
@@ -59,7 +60,7 @@ private:
     std::vector<std::array<int, 3>> cell_; ///< where each point was last
 
     /// Mass that the springs and dampers on each node need to be stable, by storage place of the fluid's
-    /// nodes and by node of the State [mass].
+    /// nodes and by node of the State [mass]; zero between uses.
     std::vector<double> load_, structure_load_;
     std::vector<Index> entry_; ///< of each node of the fluid among its outside forces, by storage place
     double work_on_structure_ = 0;
@@ -69,6 +70,8 @@ private:
     double share_behind(const MeshPoint& at, const Vec3& normal) const;
     void limit_stiffness(const State& state);
     double needed_mass(const Touch& touch) const;
+    void stretch(std::size_t point, const Clock& clock);
+    void separate();
     void press(std::size_t point, const Clock& clock);
     void push_fluid(const Touch& touch, const Vec3& force);
     void hand_out(const Clock& clock, State& state);

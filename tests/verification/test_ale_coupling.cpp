@@ -140,15 +140,22 @@ TEST(AleCoupling, BoxOfWaterIsTight)
         EXPECT_LT(leak(elements, "2,4,1,1\n0,0,0.1,0,0.02", 0.5), 1e-4) << elements << " elements an edge";
 }
 
-// The same in compression only (DIREC = 2), without and with leak control.
-// Open: with 12, 6 and 1 elements an edge 1.1e-5, 3.3e-4 and 6.1e-3 leave in 0.1 s with FRCMIN = 0.02; with
-// FRCMIN = 0.3 and leak control 1.5e-3, 1.6e-3 and 4.3e-3.
-TEST(AleCoupling, DISABLED_BoxOfWaterIsTightInCompression)
+// The same in compression only (DIREC = 2). Points that press one by one let 1.1e-5, 3.3e-4 and 6.1e-3
+// through.
+TEST(AleCoupling, BoxOfWaterIsTightInCompression)
 {
     const Threads one(1);
-    for (const char* coupling : {"2,4,2,1\n0,0,0.1,0,0.02", "2,4,2,1\n0,0,0.1,0,0.3\n,,,2,0.1"})
-        for (const int elements : {12, 6, 1})
-            EXPECT_LT(leak(elements, coupling, 0.1), 1e-4) << coupling << ": " << elements << " an edge";
+    for (const int elements : {12, 6, 1})
+        EXPECT_LT(leak(elements, "2,4,2,1\n0,0,0.1,0,0.02", 0.1), 1e-4) << elements << " an edge";
+}
+
+// Open: points that let go where less than FRCMIN = 0.3 stands before them lose the uppermost cells of the
+// water; with leak control 5.1e-4, 4.2e-4 and 1.4e-4 leave.
+TEST(AleCoupling, DISABLED_BoxOfWaterIsTightInCompressionWhereItIsHalfFull)
+{
+    const Threads one(1);
+    for (const int elements : {12, 6, 1})
+        EXPECT_LT(leak(elements, "2,4,2,1\n0,0,0.1,0,0.3\n,,,2,0.1", 0.1), 1e-4) << elements << " an edge";
 }
 
 // A box without a lid, half as heavy as the water it could hold out, floats with half its height below the
