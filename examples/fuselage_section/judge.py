@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Judges drops of the fuselage section: python3 judge.py DIRECTORY...
 
-The floor's acceleration beside the tank on the door's side: mean over its gauges, velocities smoothed over 5 ms. Peaks, what the
+The floor's acceleration beside the tank on the door's side: mean over its gauges, over 5 ms (difference of velocities). Peaks, what the
 parts have taken up, the balance.
 """
 import os
@@ -17,8 +17,9 @@ NAMES = {1: "skin", 2: "door", 3: "frames", 4: "floor", 5: "tank", 6: "stringers
 def floor_load(folder):
     """(time, acceleration [g]) of the mean of the gauges."""
     gauges = list(curves.nodes(folder).values())
-    speed = curves.smooth([(rows[0][0], sum(row[6] for row in rows) / len(rows)) for rows in zip(*gauges)], WINDOW)
-    return [((a[0] + b[0]) / 2, (b[1] - a[1]) / (b[0] - a[0]) / GRAVITY) for a, b in zip(speed, speed[1:])]
+    speed = [(rows[0][0], sum(row[6] for row in rows) / len(rows)) for rows in zip(*gauges)]
+    half = round(0.5 * WINDOW / (speed[1][0] - speed[0][0]))
+    return [(0.5 * (a[0] + b[0]), (b[1] - a[1]) / (b[0] - a[0]) / GRAVITY) for a, b in zip(speed, speed[2 * half:])]
 
 
 def peaks(rows, apart=8e-3):
