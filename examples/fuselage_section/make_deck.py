@@ -206,20 +206,23 @@ water
     write("ground_water.k", text + "*ELEMENT_SPH\n"
           + "".join(f"{100001 + n},{WATER},{mass:.7g}\n" for n in range(len(nodes))))
     cells = [16, 20, 6]
-    text = f"""$ soil: the low-density sand of Krieg's model as many examples have it (*MAT_005); needs that law
+    text = f"""$ soil: a loose sand (*MAT_005), assumed: friction by a2, crushing by the curve of volume strain and pressure
 *PART
 soil
-{SOIL:10d}{SOIL:10d}{SOIL:10d}
+{SOIL:10d}{SOIL:10d}{SOIL:10d}         0{SOIL:10d}
 *SECTION_SOLID
 {SOIL:10d}         1
+*HOURGLASS
+{SOIL:10d}         4      0.05
 *MAT_SOIL_AND_FOAM
 $      mid        ro         g      bulk        a0        a1        a2        pc
-{SOIL:10d}   1.6e-09      20.0     100.0    0.0034     0.703       0.3     -0.01
-         1         0
-       0.0     -0.05     -0.09     -0.11     -0.15     -0.19     -0.21     -0.22
-     -0.25      -0.3
-       0.0       0.2       0.4       0.6       1.2       2.0       4.0       6.0
-      12.0      41.0
+{SOIL:10d}   1.5e-09       5.0      50.0       0.0       0.0       0.3    -0.001
+$      vcr       ref
+         0         0
+       0.0     -0.01     -0.03     -0.06     -0.10     -0.15     -0.20     -0.25
+     -0.30      -0.4
+       0.0      0.03      0.08       0.2      0.45       0.9       2.0       5.0
+      10.0      40.0
 *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID
          2soil under section
          1{SOIL:10d}         2         3
