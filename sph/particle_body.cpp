@@ -146,6 +146,10 @@ void ParticleBody::add_forces(const Clock& clock, State& state)
     add_pair_forces(clock, state);
     if (options_.tensile_repulsion > 0) add_tensile_forces(clock, state);
     if (!arrays_.laminar.empty()) add_laminar_forces(clock, state);
+    // Half of the last impulse and half of this one fall into the step that ends now.
+    wall_work_ += 0.5 * clock.last_step * wall_power_;
+    wall_power_ = power_of_walls();
+    wall_work_ += 0.5 * clock.last_step * wall_power_;
     if (options_.velocity_blend > 0 || options_.shifting > 0) find_drifts(state);
 }
 
@@ -380,6 +384,7 @@ void ParticleBody::report(EnergyLedger& ledger) const
         ledger.add_part(parts_[number].model_part, energy / density, 0);
     }
     ledger.damping += damped_energy_;
+    ledger.external_work += wall_work_;
     for (const Departed& left : departed_) {
         ledger.eroded_kinetic += left.kinetic;
         ledger.eroded_internal += left.internal;

@@ -78,7 +78,7 @@ public:
     void serialise(Archive& archive) override
     {
         archive(arrays_, images_, runs_, places_, sleepers_, searches_, departed_, followed_, damped_energy_,
-                regions_at_);
+                wall_work_, wall_power_, regions_at_);
     }
     void collect(const State& state, ElementResults& results) const override;
 
@@ -112,6 +112,8 @@ private:
     long searches_ = 0;
     std::vector<Departed> departed_;
     std::vector<Vec3> followed_;   ///< by periodic pair: where its node was at the last search [length]
+    double wall_work_ = 0;         ///< of walls that slide on the viscous fluid [energy]
+    double wall_power_ = 0;        ///< [energy/time]
     double damped_energy_ = 0;     ///< taken from the wake of moving domains and from sleepers [energy]
     std::vector<Vec3> regions_at_; ///< by region: how far it had travelled at the last search [length]
     ParticleVote vote_;
@@ -137,6 +139,7 @@ private:
     void add_tensile_forces(const Clock& clock, State& state);
     void add_laminar_forces(const Clock& clock, State& state);
     void find_drifts(const State& state);
+    double power_of_walls() const;
     void calm_wake(const Clock& clock, State& state);
     double calm_particle(const CalmZone& zone, Index place, double step, State& state);
     void take_forces(const NeighbourRun& run, const ForceSums* sums, double half_step, State& state);

@@ -68,6 +68,24 @@ void ParticleBody::add_laminar_forces(const Clock& clock, State& state)
     sum_laminar_forces(options_.kernel, options_.dimension, runs_, arrays_, take);
 }
 
+/// What sliding walls do: viscous forces between particles take from the motion what they heat, so what
+/// motion and heat gain together comes from the images behind such walls.
+double ParticleBody::power_of_walls() const
+{
+    const bool sliding =
+        std::any_of(options_.mirrors.begin(), options_.mirrors.end(),
+                    [](const MirrorPlane& wall) { return wall.no_slip && norm(wall.velocity) > 0; });
+    if (!sliding) return 0;
+    return sum_chunks(arrays_.motion.size(), [&](std::size_t begin, std::size_t end) {
+        double power = 0;
+        for (std::size_t p = begin; p < end; ++p) {
+            if (arrays_.image[p]) continue;
+            power += dot(arrays_.viscous_force[p], arrays_.motion[p].velocity) + arrays_.heat[p];
+        }
+        return power;
+    });
+}
+
 /// XSPH moves a particle with a velocity nearer to that of its neighbours. Shifting moves it away from where
 /// particles crowd, with 2 h U times the crowding, U being the largest speed against the mean; not near a
 /// free surface, where the kernel is not full and crowding says nothing.

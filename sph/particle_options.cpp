@@ -147,6 +147,18 @@ MirrorPlane mirror_of(const Record& record)
     return {tail, unit(head - tail), false, {}};
 }
 
+/// The fluid sticks to it; it may slide along itself.
+MirrorPlane wall_of(const Record& record)
+{
+    MirrorPlane wall = mirror_of(record);
+    wall.no_slip = true;
+    wall.velocity = {record.real("VX"), record.real("VY"), record.real("VZ")};
+    if (std::abs(dot(wall.velocity, wall.normal)) > 1e-6 * norm(wall.velocity)) {
+        reject_field(record, "VX", "the velocity leads out of the wall's plane");
+    }
+    return wall;
+}
+
 const NamedVector& vector_of(const Model& model, const Record& record, std::string_view field)
 {
     const Id id = record.integer(field);
@@ -196,6 +208,7 @@ ParticleOptions particle_options_of(const Model& model)
     options.regions = active_regions_of(model);
     for (const Record& record : model.others) {
         if (record.keyword == "BOUNDARY_SPH_SYMMETRY_PLANE") options.mirrors.push_back(mirror_of(record));
+        if (record.keyword == "PLASH_SPH_WALL") options.mirrors.push_back(wall_of(record));
         if (record.keyword == "BOUNDARY_SPH_PERIODIC") options.periods.push_back(period_of(model, record));
         if (record.keyword == "PLASH_SPH_MOVING_PERIODIC") {
             options.periods.push_back(moving_period_of(model, record));

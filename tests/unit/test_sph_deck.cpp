@@ -95,6 +95,11 @@ TEST(SphDeck, MapsFormsAndBoundaries)
     const auto mirrors = options("*BOUNDARY_SPH_SYMMETRY_PLANE\n0,-5,0,0,3,0\n").mirrors;
     ASSERT_EQ(mirrors.size(), 1u);
     EXPECT_EQ(norm(mirrors[0].normal - Vec3{0, 1, 0}), 0);
+    const auto lid = options("*PLASH_SPH_WALL\n0,5,0,0,3,0\n2,0,0\n").mirrors;
+    ASSERT_EQ(lid.size(), 1u);
+    EXPECT_TRUE(lid[0].no_slip && !mirrors[0].no_slip);
+    EXPECT_EQ(norm(lid[0].velocity - Vec3{2, 0, 0}), 0);
+    EXPECT_THROW(options("*PLASH_SPH_WALL\n0,5,0,0,3,0\n2,1,0\n"), DeckError);
     const auto periods = options("*DEFINE_VECTOR\n1,-5,0,0,1,0,0\n2,35,9,0,40,0,0\n"
                                  "*BOUNDARY_SPH_PERIODIC\n1,2\n")
                              .periods;

@@ -161,6 +161,9 @@ TEST(SphViscous, LidDrivenCavityHasItsProfile)
     for (std::size_t k = 0; k < std::size(reference); ++k) {
         EXPECT_NEAR(mean[k] / duration, reference[k][1], 0.02) << "y = " << reference[k][0];
     }
+    // Nothing comes in but by the lid, whose work is booked; most of it has become heat by now.
+    EXPECT_GT(scene.ledger.external_work, 20 * scene.ledger.kinetic);
+    EXPECT_LT(scene.ledger.balance_error(), 0.005);
 }
 
 } // namespace plash::viscous_cases
