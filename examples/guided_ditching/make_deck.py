@@ -18,7 +18,7 @@ FOLDER = os.path.dirname(os.path.abspath(__file__))
 LENGTH, HALF_WIDTH, CELL, FRAME_CELLS = 1000.0, 250.0, 50.0, 1  # [mm]; the outer ring of cells is the frame
 PANEL, FRAME, WATER = 1, 2, 3
 DENSITY, SOUND = 1000e-12, 400e3  # [t/mm^3], [mm/s]: ten times the panel's speed
-BEHIND, AHEAD, WIDTH, DEPTH = 600.0, 1640.0, 480.0, 320.0  # [mm] of water from the panel's rear edge, of half the basin
+BEHIND, AHEAD, WIDTH, DEPTH = 600.0, 1640.0, 960.0, 640.0  # [mm] of water from the panel's rear edge, of half the basin
 CALM = 200.0  # [mm]
 GAUGE = 250.0  # [mm] from the rear edge: the middle of the pressure gauge
 
