@@ -83,7 +83,7 @@ panel
       15.0
 *MAT_RIGID
 {PANEL:10d}   2.7e-09   70000.0      0.33
-       1.0
+       0.0
 
 *CONSTRAINED_RIGID_BODIES
 {FRAME:10d}{PANEL:10d}
