@@ -189,7 +189,7 @@ $      pid     secid       mid     eosid      hgid
          2         1
 *MAT_NULL
 $      mid        ro        pc        mu
-         2{DENSITY:10.4g}         0{VISCOSITY:10.4g}
+         2{DENSITY:10.4g}    -1e+20{VISCOSITY:10.4g}
 *EOS_GRUNEISEN
 $    eosid         c        s1        s2        s3    gamma0
          2{args.sound:10.4g}     1.979         0         0      0.11
