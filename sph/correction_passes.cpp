@@ -19,7 +19,7 @@ void walk_runs(const std::vector<NeighbourRun>& runs, MakePass&& make_pass,
     const auto count = static_cast<std::ptrdiff_t>(runs.size());
 #pragma omp parallel if (count > 1)
     {
-        std::vector<Sums> sums(longest_run);
+        std::vector<Sums> sums(longest_of(runs));
 #pragma omp for schedule(dynamic)
         for (std::ptrdiff_t i = 0; i < count; ++i) {
             const NeighbourRun& run = runs[i];

@@ -6,6 +6,16 @@ namespace plash {
 
 namespace {
 
+/// All pairs of a run. Flattened, so that sums and the opened particle stay in registers over the run.
+template <bool diffusive, class K>
+[[gnu::flatten]] void sum_rates_of_run(const MotionRecord* records, const NeighbourRun& run, int dimension,
+                                       double half_step, double* rate, const DensityDiffusion& diffusion,
+                                       double* spread)
+{
+    DensityRate<Lanes, K, diffusive> pass(records, run.begin, dimension, half_step, rate, diffusion, spread);
+    walk_pairs<Lanes>(run, pass);
+}
+
 template <bool diffusive, class K>
 void sum_rates(int dimension, double half_step, const DensityDiffusion& diffusion,
                const std::vector<NeighbourRun>& runs, ParticleArrays& arrays)
@@ -18,9 +28,8 @@ void sum_rates(int dimension, double half_step, const DensityDiffusion& diffusio
         double* spread = diffusive ? arrays.diffusion.data() + run.begin : nullptr;
         std::fill_n(rate, run.length(), 0.0);
         if constexpr (diffusive) std::fill_n(spread, run.length(), 0.0);
-        DensityRate<Lanes, K, diffusive> pass(arrays.motion.data(), run.begin, dimension, half_step, rate,
-                                              diffusion, spread);
-        walk_pairs<Lanes>(run, pass);
+        sum_rates_of_run<diffusive, K>(arrays.motion.data(), run, dimension, half_step, rate, diffusion,
+                                       spread);
     }
 }
 

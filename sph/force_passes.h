@@ -27,7 +27,7 @@ void sum_forces(Kernel kernel, int dimension, const ArtificialViscosity& viscosi
     with_kernel(kernel, [&]<class K>(K) {
 #pragma omp parallel if (count > 1)
         {
-            std::vector<ForceSums> sums(longest_run);
+            std::vector<ForceSums> sums(longest_of(runs));
 #pragma omp for schedule(dynamic)
             for (std::ptrdiff_t i = 0; i < count; ++i) {
                 const NeighbourRun& run = runs[i];

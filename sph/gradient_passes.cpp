@@ -12,7 +12,7 @@ void sum_velocity_gradients(Kernel kernel, int dimension, double half_step,
     with_kernel(kernel, [&]<class K>(K) {
 #pragma omp parallel if (count > 1)
         {
-            std::vector<GradientSums> sums(longest_run);
+            std::vector<GradientSums> sums(longest_of(runs));
 #pragma omp for schedule(dynamic)
             for (std::ptrdiff_t i = 0; i < count; ++i) {
                 const NeighbourRun& run = runs[i];

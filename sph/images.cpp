@@ -188,7 +188,7 @@ void Images::reflect_passed(ParticleArrays& arrays, State& state) const
             state.velocity[node] = mirror.reflected(state.velocity[node]);
             // The heat of the second half of the step looks at the change of the velocity.
             arrays.motion[place].velocity = mirror.reflected(arrays.motion[place].velocity);
-            arrays.viscous_force[place] = mirror.reflected(arrays.viscous_force[place]);
+            arrays.viscous_force[place] = narrow(mirror.reflected(wide(arrays.viscous_force[place])));
         }
     }
 }

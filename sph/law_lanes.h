@@ -61,7 +61,7 @@ inline void set_records(const PartConstants& part, Index place, double smoothing
     const double density = arrays.density[place];
     MotionRecord& motion = arrays.motion[place];
     motion.smoothing = smoothing;
-    motion.weight = part.volume_weighted ? arrays.mass[place] / density : arrays.mass[place];
+    if (part.volume_weighted) motion.weight = arrays.own_mass[place] / density;
     PushRecord& push = arrays.push[place];
     push.scale = part.volume_weighted ? density : 1 / density;
     push.sound = sound;

@@ -1,8 +1,11 @@
 #include "sph/neighbours.h"
 
+#include "core/run_error.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <fmt/format.h>
 
 namespace plash {
 
@@ -21,9 +24,9 @@ struct Candidates {
     }
     void add(const SearchInput& input, Index p)
     {
-        x.push_back(input.position[p].x);
-        y.push_back(input.position[p].y);
-        z.push_back(input.position[p].z);
+        x.push_back(input.motion[p].position.x);
+        y.push_back(input.motion[p].position.y);
+        z.push_back(input.motion[p].position.z);
         reach.push_back(input.reach[p]);
         place.push_back(p);
     }
@@ -40,12 +43,57 @@ struct Candidates {
     }
 };
 
+/// Numbers places in the order in which they are first asked for.
+class HaloNumbers {
+public:
+    void clear()
+    {
+        places_.clear();
+        slots_.assign(slots_.empty() ? 4096 : slots_.size(), none);
+    }
+    const std::vector<Index>& places() const { return places_; }
+
+    /// The number of a place, cut to 16 bits: meaningless once there are more.
+    std::uint16_t number_of(Index place)
+    {
+        std::size_t slot = first_slot(place);
+        while (slots_[slot] != none) {
+            if (places_[slots_[slot]] == place) return static_cast<std::uint16_t>(slots_[slot]);
+            slot = (slot + 1) & (slots_.size() - 1);
+        }
+        slots_[slot] = static_cast<Index>(places_.size());
+        places_.push_back(place);
+        const auto number = static_cast<std::uint16_t>(places_.size() - 1);
+        if (2 * places_.size() > slots_.size()) grow();
+        return number;
+    }
+
+private:
+    std::vector<Index> places_;
+    std::vector<Index> slots_; ///< open addressing over places_; none: free
+
+    std::size_t first_slot(Index place) const
+    {
+        return (static_cast<std::size_t>(place) * 0x9e3779b97f4a7c15ULL >> 20) & (slots_.size() - 1);
+    }
+    void grow()
+    {
+        slots_.assign(2 * slots_.size(), none);
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            std::size_t slot = first_slot(places_[i]);
+            while (slots_[slot] != none) slot = (slot + 1) & (slots_.size() - 1);
+            slots_[slot] = static_cast<Index>(i);
+        }
+    }
+};
+
 /// What one thread works with.
 struct Scratch {
     Candidates real, images;
     std::vector<Index> found;
     std::vector<std::uint16_t> inside;
-    std::vector<Index> outside;
+    std::vector<std::uint16_t> outside;
+    HaloNumbers halo;
 };
 
 Lanes load(const double* values)
@@ -111,11 +159,13 @@ public:
         : cells_(cells), input_(input), run_(run), scratch_(scratch)
     {}
 
-    void build()
+    /// False when the halo has more places than it may have.
+    bool build(std::size_t largest_halo)
     {
         run_.batches.assign(run_.length(), {});
         scratch_.inside.clear();
         scratch_.outside.clear();
+        scratch_.halo.clear();
         for (Index cell = cells_.cell_of_place(run_.begin);
              cell < cells_.cell_count() && cells_.begin(cell) < run_.end; ++cell) {
             collect_candidates(cell);
@@ -128,6 +178,8 @@ public:
         // Exact sizes: the lists are most of what a particle costs in memory.
         run_.inside.assign(scratch_.inside.begin(), scratch_.inside.end());
         run_.outside.assign(scratch_.outside.begin(), scratch_.outside.end());
+        run_.halo = scratch_.halo.places();
+        return run_.halo.size() <= largest_halo;
     }
 
 private:
@@ -158,7 +210,7 @@ private:
     void list(Index p)
     {
         const Candidates& real = scratch_.real;
-        const Vec3& position = input_.position[p];
+        const Vec3& position = input_.motion[p].position;
         const double reach = input_.reach[p];
         Index* const begin = scratch_.found.data();
         NeighbourRun::Batches& batches = run_.batches[p - run_.begin];
@@ -174,8 +226,12 @@ private:
         end = find_close(scratch_.images, 0, scratch_.images.size(), position, reach, end);
         end = drop_unseen(input_, p, begin, end);
         batches.outside = batch_count(end - begin);
-        scratch_.outside.insert(scratch_.outside.end(), begin, end);
-        while (scratch_.outside.size() % lane_count != 0) scratch_.outside.push_back(p);
+        for (Index* other = begin; other < end; ++other) {
+            scratch_.outside.push_back(scratch_.halo.number_of(*other));
+        }
+        while (scratch_.outside.size() % lane_count != 0) {
+            scratch_.outside.push_back(scratch_.halo.number_of(p));
+        }
     }
 
     static std::uint16_t batch_count(std::ptrdiff_t neighbours)
@@ -188,7 +244,7 @@ private:
 /// body must have enough of them to feed many threads.
 void cut_runs(Index particles, std::vector<NeighbourRun>& runs)
 {
-    const Index length = std::clamp<Index>(particles / 64, 256, longest_run);
+    const Index length = std::clamp<Index>(particles / 32, 256, longest_run);
     runs.resize((particles + length - 1) / length);
     for (std::size_t i = 0; i < runs.size(); ++i) {
         runs[i].begin = static_cast<Index>(i) * length;
@@ -196,18 +252,53 @@ void cut_runs(Index particles, std::vector<NeighbourRun>& runs)
     }
 }
 
+/// A run in two halves, and so on, until their halos fit.
+void build_halves(const ParticleCells& cells, const SearchInput& input, const NeighbourRun& whole,
+                  Scratch& scratch, std::size_t largest_halo, std::vector<NeighbourRun>& runs)
+{
+    if (whole.length() == 1) {
+        throw RunError(fmt::format("a particle has more than {} neighbours", largest_halo));
+    }
+    const Index middle = whole.begin + whole.length() / 2;
+    for (const auto& [begin, end] : {std::pair{whole.begin, middle}, std::pair{middle, whole.end}}) {
+        NeighbourRun half;
+        half.begin = begin;
+        half.end = end;
+        if (RunBuilder(cells, input, half, scratch).build(largest_halo)) {
+            runs.push_back(std::move(half));
+        } else {
+            build_halves(cells, input, half, scratch, largest_halo, runs);
+        }
+    }
+}
+
 } // namespace
 
-void build_neighbours(const ParticleCells& cells, const SearchInput& input, std::vector<NeighbourRun>& runs)
+void build_neighbours(const ParticleCells& cells, const SearchInput& input, std::vector<NeighbourRun>& runs,
+                      std::size_t largest_halo)
 {
-    cut_runs(static_cast<Index>(input.position.size()), runs);
+    cut_runs(static_cast<Index>(input.motion.size()), runs);
     const auto count = static_cast<std::ptrdiff_t>(runs.size());
+    std::vector<char> fits(runs.size());
 #pragma omp parallel if (count > 1)
     {
         Scratch scratch;
 #pragma omp for schedule(dynamic)
-        for (std::ptrdiff_t i = 0; i < count; ++i) RunBuilder(cells, input, runs[i], scratch).build();
+        for (std::ptrdiff_t i = 0; i < count; ++i) {
+            fits[i] = RunBuilder(cells, input, runs[i], scratch).build(largest_halo);
+        }
     }
+    if (std::all_of(fits.begin(), fits.end(), [](char fit) { return fit; })) return;
+    std::vector<NeighbourRun> all;
+    Scratch scratch;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        if (fits[i]) {
+            all.push_back(std::move(runs[i]));
+        } else {
+            build_halves(cells, input, runs[i], scratch, largest_halo, all);
+        }
+    }
+    runs = std::move(all);
 }
 
 } // namespace plash

@@ -3,7 +3,9 @@
 #include "core/archive.h"
 #include "math/lanes.h"
 #include "sph/cells.h"
+#include "sph/motion_record.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,8 +14,8 @@ namespace plash {
 
 /// What the search needs to know of particles, by sorted place.
 struct SearchInput {
-    std::span<const Vec3> position; ///< [length]
-    std::span<const double> reach;  ///< half of the distance below which equal particles are listed [length]
+    std::span<const MotionRecord> motion; ///< positions [length]
+    std::span<const double> reach; ///< half of the distance below which equal particles are listed [length]
     /// By sorted place: 1 for a mirror or periodic image. Images are listed as neighbours, but have none of
     /// their own.
     std::span<const std::uint8_t> image;
@@ -29,25 +31,36 @@ struct SearchInput {
 /// thread without touching what others write, in an order that depends on the positions alone.
 ///
 /// Lists go in batches of lane_count; the last batch is filled up with the particle itself, which exerts
-/// nothing on itself.
+/// nothing on itself. All places are 16 bits wide: lists are most of what a particle costs in memory.
 struct NeighbourRun {
     struct Batches {
         std::uint16_t inside = 0, outside = 0;
     };
     Index begin = 0, end = 0;
-    std::vector<Batches> batches;      ///< by particle of the run
-    std::vector<std::uint16_t> inside; ///< offsets from `begin`
-    std::vector<Index> outside;        ///< sorted places
+    std::vector<Batches> batches;       ///< by particle of the run
+    std::vector<std::uint16_t> inside;  ///< offsets from `begin`
+    std::vector<std::uint16_t> outside; ///< numbers in `halo`
+    std::vector<Index> halo;            ///< sorted places of all that the outside lists name
 
     Index length() const { return end - begin; }
-    void serialise(Archive& archive) { archive(begin, end, batches, inside, outside); }
+    void serialise(Archive& archive) { archive(begin, end, batches, inside, outside, halo); }
 };
 
-/// Longest run; offsets in a run fit sixteen bits.
-inline constexpr Index longest_run = 4096;
+/// Longest run; offsets in a run fit sixteen bits. A run whose halo would not fit them is cut in halves.
+inline constexpr Index longest_run = 8192;
+
+/// The length of the longest of some runs.
+inline Index longest_of(const std::vector<NeighbourRun>& runs)
+{
+    Index longest = 0;
+    for (const NeighbourRun& run : runs) longest = std::max(longest, run.length());
+    return longest;
+}
 
 /// Lists of all pairs closer than the sum of their reaches. `cells` must have sorted `input.position` with a
 /// side of at least the largest sum.
-void build_neighbours(const ParticleCells& cells, const SearchInput& input, std::vector<NeighbourRun>& runs);
+/// largest_halo  that a run may have; below that of 16 bits only in tests
+void build_neighbours(const ParticleCells& cells, const SearchInput& input, std::vector<NeighbourRun>& runs,
+                      std::size_t largest_halo = 65536);
 
 } // namespace plash

@@ -3,6 +3,7 @@
 #include "math/lane_lines.h"
 #include "math/vector3.h"
 #include "sph/kernels.h"
+#include "sph/motion_record.h"
 #include "sph/neighbours.h"
 
 #include <cstdint>
@@ -12,15 +13,6 @@ namespace plash {
 
 /// Which copy of a particle stands at a place. A corner of a mirror and a periodic plane counts as mirrored.
 enum ImageKind : std::uint8_t { no_image = 0, mirror_image = 1, periodic_image = 2 };
-
-/// What every pair loop needs of a particle: one cache line, by sorted place.
-struct alignas(64) MotionRecord {
-    Vec3 position;     ///< at n [length]
-    double smoothing;  ///< h [length]
-    Vec3 velocity;     ///< at n - 1/2 [velocity]
-    double weight = 0; ///< mass, or volume mass / density for the volume-weighted forms [mass] or [volume]
-};
-static_assert(sizeof(MotionRecord) == 64);
 
 /// What the force loop needs besides: half a cache line. "Scaled" is by 1 / density^2 where weights are
 /// masses, and by 1 where they are volumes.
@@ -95,7 +87,8 @@ void walk_pairs(const NeighbourRun& run, Pass& pass)
 {
     constexpr int width = lanes_in<Lane>;
     const std::uint16_t* inside = run.inside.data();
-    const Index* outside = run.outside.data();
+    const std::uint16_t* outside = run.outside.data();
+    const Index* halo = run.halo.data();
     for (Index particle = 0; particle < run.length(); ++particle) {
         const NeighbourRun::Batches batches = run.batches[particle];
         pass.open(particle);
@@ -103,7 +96,9 @@ void walk_pairs(const NeighbourRun& run, Pass& pass)
             pass.inside(inside);
         }
         for (const auto* end = outside + batches.outside * lane_count; outside < end; outside += width) {
-            pass.outside(outside);
+            Index places[width];
+            for (int l = 0; l < width; ++l) places[l] = halo[outside[l]];
+            pass.outside(places);
         }
         pass.close(particle);
     }

@@ -12,6 +12,15 @@
 
 namespace plash {
 
+inline Vec3 wide(const Vector3<float>& a)
+{
+    return {a.x, a.y, a.z};
+}
+inline Vector3<float> narrow(const Vec3& a)
+{
+    return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+
 /// What a body of particles carries from step to step, by sorted place. The places of images (mirror and
 /// periodic copies) hold only `motion` and `push`, copied from their originals each step.
 struct ParticleArrays {
@@ -19,20 +28,19 @@ struct ParticleArrays {
     std::vector<PushRecord> push;
     std::vector<Index> particle;      ///< number in the order of creation; image k is number (real count) + k
     std::vector<Index> node;          ///< index in the State; none for images
-    std::vector<Index> element;       ///< place in Model::particles, for results; none: in none
     std::vector<std::uint8_t> part;   ///< part of the body, not of the Model
     std::vector<std::uint8_t> image;  ///< an ImageKind; 0: none
     std::vector<std::uint8_t> asleep; ///< 1: outside of the active regions
-    std::vector<double> mass;         ///< [mass]
+    std::vector<double> own_mass;     ///< where weights are volumes, see mass() [mass]
     std::vector<double> density;      ///< [mass/volume]
     std::vector<double> rate;         ///< of density, or of its logarithm where weights are volumes [1/time]
     std::vector<double> diffusion;    ///< rate of density by diffusion; empty without [mass/volume/time]
     std::vector<double> pressure;     ///< [stress]
     std::vector<double> energy;       ///< internal energy by initial volume [energy/volume]
-    std::vector<Vec3> viscous_force;  ///< share of viscosity in the last force [force]
-    std::vector<double> heat;         ///< its heating power [energy/time]
-    std::vector<double> laminar;      ///< viscosity along differences of velocity, scaled; empty without
-    std::vector<Vec3> drift;          ///< of the particles against their velocity; empty without [velocity]
+    std::vector<Vector3<float>> viscous_force; ///< share of viscosity in the last force [force]
+    std::vector<float> heat;                   ///< its heating power [energy/time]
+    std::vector<double> laminar; ///< viscosity along differences of velocity, scaled; empty without
+    std::vector<Vec3> drift;     ///< of the particles against their velocity; empty without [velocity]
 
     // Only of bodies whose push is a tensor.
     std::vector<TensionRecord> tension;
@@ -42,17 +50,24 @@ struct ParticleArrays {
     std::vector<double> history;                     ///< `history_size` variables of the law a particle
     int history_size = 0;
 
-    std::vector<double> skin;         ///< what it may move before the next search, twice [length]
-    std::vector<Vec3> build_position; ///< at the last neighbour search [length]
-    std::vector<double> build_smoothing;
+    std::vector<float> skin;                    ///< what it may move before the next search, twice [length]
+    Vec3 build_origin;                          ///< that build_position counts from [length]
+    double build_rounding = 0;                  ///< the largest error of build_position [length]
+    std::vector<Vector3<float>> build_position; ///< at the last neighbour search [length]
+    std::vector<float> build_smoothing;
 
+    double mass(std::size_t place) const { return own_mass.empty() ? motion[place].weight : own_mass[place]; }
     Index size() const { return static_cast<Index>(motion.size()); }
+
+    /// Keeps where everybody stands: as offsets from the middle, in single precision.
+    void remember_build();
+    Vec3 built_at(std::size_t place) const { return build_origin + wide(build_position[place]); }
 
     void serialise(Archive& archive)
     {
-        archive(motion, push, particle, node, element, part, image, asleep, mass, density, rate, diffusion,
+        archive(motion, push, particle, node, part, image, asleep, own_mass, density, rate, diffusion,
                 pressure, energy, viscous_force, heat, laminar, drift, tension, gradient, correction, stress,
-                history, skin, build_position, build_smoothing);
+                history, skin, build_origin, build_rounding, build_position, build_smoothing);
     }
 };
 

@@ -105,9 +105,8 @@ void ParticleBody::create(const State& state)
             a.motion.push_back(
                 {state.position[node], part.constants.smoothing, state.velocity[node], part.mass[i]});
             a.node.push_back(node);
-            a.element.push_back(part.elements.empty() ? none : part.elements[i]);
             a.part.push_back(static_cast<std::uint8_t>(number));
-            a.mass.push_back(part.mass[i]);
+            if (options_.volume_weighted) a.own_mass.push_back(part.mass[i]);
             a.density.push_back(part.constants.density * part.law->initial_compression());
             a.energy.push_back(part.law->initial_energy());
             if (a.history_size == 0) continue;
@@ -115,6 +114,7 @@ void ParticleBody::create(const State& state)
             part.law->start_history(&*a.history.end() - a.history_size);
         }
     }
+    for (ParticlePart& part : parts_) part.mass = {}; // from here on they stand in the arrays
     if (tensor_) {
         a.tension.resize(real_count_);
         a.gradient.resize(real_count_);
@@ -137,6 +137,7 @@ void ParticleBody::add_forces(const Clock& clock, State& state)
     if (clock.time < options_.birth || clock.time > options_.death) return;
     read_motion(clock, state);
     if (!lists_hold(state) || anyone_leaves()) search(state);
+    ++cycles_since_search_;
     images_.refresh_motion(arrays_);
     if (clock.last_step > 0) sum_rates(clock);
     apply_laws(clock.last_step, places_);
@@ -206,9 +207,9 @@ void ParticleBody::read_motion(const Clock& clock, const State& state)
             if (a.image[p]) continue;
             MotionRecord& motion = a.motion[p];
             const Vec3& velocity = state.velocity[a.node[p]];
-            const double heat = a.heat[p] - dot(a.viscous_force[p], velocity - motion.velocity);
+            const double heat = a.heat[p] - dot(wide(a.viscous_force[p]), velocity - motion.velocity);
             const PartConstants& part = parts_[a.part[p]].constants;
-            a.energy[p] += half_step * heat * part.density / a.mass[p];
+            a.energy[p] += half_step * heat * part.density / a.mass(p);
             // Volumes at the middle of the step, for the density rates.
             if (part.volume_weighted) motion.weight *= 1 - half_step * a.rate[p];
             motion.position = state.position[a.node[p]];
@@ -221,7 +222,8 @@ void ParticleBody::read_motion(const Clock& clock, const State& state)
 void ParticleBody::search(State& state)
 {
     ParticleArrays& a = arrays_;
-    const std::vector<Index> number = dismiss_leaving(state);
+    std::vector<Index> number = dismiss_leaving(state);
+    runs_ = {}; // makes room for what sorting needs
     images_.follow(state, model_.nodes.position);
     followed_.clear();
     for (const PeriodicPair& pair : images_.periods()) {
@@ -247,19 +249,21 @@ void ParticleBody::search(State& state)
     if (images_.any()) images_.find(range, position);
     ParticleCells cells;
     cells.sort(position, range);
+    position = {};
+    number = {};
 
     const std::vector<Index>& order = cells.order();
     std::vector<Index> old_place(order.size());
     for (std::size_t p = 0; p < order.size(); ++p) {
         old_place[p] = order[p] < static_cast<Index>(real_count_) ? place_of[order[p]] : none;
     }
+    place_of = {};
     permute(a.motion, old_place);
     permute(a.push, old_place);
     permute(a.node, old_place);
-    permute(a.element, old_place);
     permute(a.part, old_place);
     permute(a.asleep, old_place);
-    permute(a.mass, old_place);
+    if (!a.own_mass.empty()) permute(a.own_mass, old_place);
     permute(a.density, old_place);
     permute(a.rate, old_place);
     permute(a.pressure, old_place);
@@ -309,10 +313,10 @@ void ParticleBody::take_forces(const NeighbourRun& run, const ForceSums* sums, d
         if (a.image[p]) continue;
         const double weight = a.motion[p].weight;
         const double heat = weight * sums[i].heat;
-        a.viscous_force[p] += weight * sums[i].viscous_force;
-        a.heat[p] += heat;
+        a.viscous_force[p] = narrow(wide(a.viscous_force[p]) + weight * sums[i].viscous_force);
+        a.heat[p] += static_cast<float>(heat);
         const double density = parts_[a.part[p]].constants.density;
-        a.energy[p] += half_step * heat * density / a.mass[p];
+        a.energy[p] += half_step * heat * density / a.mass(p);
         state.force[a.node[p]] += weight * sums[i].force;
     }
 }
@@ -376,7 +380,7 @@ void ParticleBody::report(EnergyLedger& ledger) const
         const auto energy_of = [&](std::span<const Index> places) {
             return sum_chunks(places.size(), [&](std::size_t begin, std::size_t end) {
                 double sum = 0;
-                for (Index p : places.subspan(begin, end - begin)) sum += arrays_.energy[p] * arrays_.mass[p];
+                for (Index p : places.subspan(begin, end - begin)) sum += arrays_.energy[p] * arrays_.mass(p);
                 return sum;
             });
         };

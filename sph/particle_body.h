@@ -48,7 +48,7 @@ struct ParticleOptions {
     double largest_speed = forever;    ///< faster particles leave the run (MAXV) [velocity]
     double birth = 0;                  ///< particles act on each other from here ... [time]
     double death = forever;            ///< ... to here [time]
-    double skin = 0.1;                 ///< of the neighbour lists, as a share of the largest kernel radius
+    double skin = 0; ///< of the neighbour lists, as a share of the largest kernel radius; 0: what costs least
     std::vector<MirrorPlane> mirrors;
     std::vector<PeriodicPair> periods;
 };
@@ -78,7 +78,7 @@ public:
     void serialise(Archive& archive) override
     {
         archive(arrays_, images_, runs_, places_, sleepers_, searches_, departed_, followed_, damped_energy_,
-                wall_work_, wall_power_, regions_at_);
+                wall_work_, wall_power_, regions_at_, skin_, least_skin_, cycles_since_search_);
     }
     void collect(const State& state, ElementResults& results) const override;
 
@@ -109,6 +109,8 @@ private:
     std::size_t real_count_ = 0;
     bool tensor_ = false;   ///< push is a tensor
     double least_skin_ = 0; ///< of any particle [length]
+    double skin_ = 0;       ///< mean, as a share of the largest kernel radius
+    long cycles_since_search_ = 0;
     long searches_ = 0;
     std::vector<Departed> departed_;
     std::vector<Vec3> followed_;   ///< by periodic pair: where its node was at the last search [length]
@@ -129,6 +131,7 @@ private:
     void take_gradient(Index place, const GradientSums& sums);
     void search(State& state);
     std::vector<Index> dismiss_leaving(State& state);
+    void choose_skin();
     void set_skins();
     void list_neighbours(const ParticleCells& cells);
     void apply_laws(double step, const std::vector<std::vector<Index>>& all_places);

@@ -97,8 +97,8 @@ void ParticleBody::find_drifts(const State& state)
     double mass = 0, fastest = 0;
     for (const ParticlePart& part : parts_)
         for (std::size_t i = 0; i < part.nodes.size(); ++i) {
-            momentum += part.mass[i] * state.velocity[part.nodes[i]];
-            mass += part.mass[i];
+            momentum += state.mass[part.nodes[i]] * state.velocity[part.nodes[i]];
+            mass += state.mass[part.nodes[i]]; // none once the particle has left
         }
     const Vec3 mean = (1 / mass) * momentum;
     for (const ParticlePart& part : parts_)
@@ -156,7 +156,7 @@ double ParticleBody::calm_particle(const CalmZone& zone, Index place, double ste
     const double kept = zone.kept(position);
     if (kept == 1) return 0;
     Vec3& velocity = state.velocity[node];
-    const double mass = a.mass[place];
+    const double mass = a.mass(place);
     const double kinetic =
         0.5 * (1 - kept) *
         ((1 + kept) * mass * dot(velocity, velocity) - step * dot(state.force[node], velocity));

@@ -37,9 +37,9 @@ std::vector<Index> ParticleBody::dismiss_leaving(State& state)
         number[a.particle[p]] = none;
         Departed& left = departed_[a.part[p]];
         ++left.count;
-        left.mass += a.mass[p];
-        left.kinetic += 0.5 * a.mass[p] * dot(a.motion[p].velocity, a.motion[p].velocity);
-        left.internal += a.energy[p] * a.mass[p] / parts_[a.part[p]].constants.density;
+        left.mass += a.mass(p);
+        left.kinetic += 0.5 * a.mass(p) * dot(a.motion[p].velocity, a.motion[p].velocity);
+        left.internal += a.energy[p] * a.mass(p) / parts_[a.part[p]].constants.density;
         state.mass[a.node[p]] = 0;
         state.velocity[a.node[p]] = {};
     }

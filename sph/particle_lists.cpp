@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plash {
 
@@ -33,6 +34,32 @@ Vec3 mean_of(const ParticleArrays& arrays, std::size_t real_count, Value&& value
 
 } // namespace
 
+/// The skin that makes a cycle cheapest, as a share of the largest kernel radius. A cycle costs in proportion
+/// to the pairs on the lists, (1 + s)^d, and to how often they are made: every s / u cycles where a cycle
+/// uses up the share u. The least sum is where d (1 + s)^(d - 1) s^2 = r u, r being the cost of a search over
+/// that of a cycle.
+void ParticleBody::choose_skin()
+{
+    if (options_.skin > 0) {
+        skin_ = options_.skin;
+        return;
+    }
+    constexpr double first = 0.04, least = 0.02, largest = 0.25, search_cost = 1.5;
+    if (cycles_since_search_ > 0) {
+        const double used = skin_ / static_cast<double>(cycles_since_search_);
+        double best = skin_;
+        for (int i = 0; i < 4; ++i) {
+            best = std::sqrt(search_cost * used /
+                             (options_.dimension * std::pow(1 + best, options_.dimension - 1)));
+        }
+        // The speed of the flow changes: half of the way, by the logarithm.
+        skin_ = std::clamp(std::sqrt(skin_ * best), least, largest);
+    } else if (skin_ == 0) {
+        skin_ = first;
+    }
+    cycles_since_search_ = 0;
+}
+
 /// Gives every particle the skin that all of them use up in about the same time at their present speeds.
 void ParticleBody::set_skins()
 {
@@ -45,14 +72,34 @@ void ParticleBody::set_skins()
         fastest = std::max(fastest, norm(a.motion[p].velocity - mean));
         largest = std::max(largest, a.motion[p].smoothing);
     }
-    const double skin = options_.skin * support_ * largest;
+    choose_skin();
+    const double skin = skin_ * support_ * largest;
     least_skin_ = least_share * skin;
     const double time = fastest > 0 ? (largest_share - least_share) * skin / fastest : 0;
     for_chunks(a.motion.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-            if (!a.image[p]) a.skin[p] = least_skin_ + norm(a.motion[p].velocity - mean) * time;
+            if (a.image[p]) continue;
+            a.skin[p] = static_cast<float>(least_skin_ + norm(a.motion[p].velocity - mean) * time);
         }
     });
+}
+
+void ParticleArrays::remember_build()
+{
+    Vec3 lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
+    for (const MotionRecord& particle : motion) {
+        const Vec3& p = particle.position;
+        lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
+        upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+    }
+    build_origin = 0.5 * (lower + upper);
+    build_rounding = 0.5 * norm(upper - lower) * std::numeric_limits<float>::epsilon();
+    build_position.resize(motion.size());
+    build_smoothing.resize(motion.size());
+    for (std::size_t p = 0; p < motion.size(); ++p) {
+        build_position[p] = narrow(motion[p].position - build_origin);
+        build_smoothing[p] = static_cast<float>(motion[p].smoothing);
+    }
 }
 
 /// Whether no pair can have come into reach that is not on the lists: no particle has moved, against all of
@@ -69,15 +116,15 @@ bool ParticleBody::lists_hold(const State& state) const
     }
     // Images mirror the motion, so what all particles have in common counts there.
     const Vec3 common = images_.any() ? Vec3{} : mean_of(a, real_count_, [&](std::size_t p) {
-        return a.motion[p].position - a.build_position[p];
+        return a.motion[p].position - a.built_at(p);
     });
     const double passed = sum_chunks(a.motion.size(), [&](std::size_t begin, std::size_t end) {
         double count = 0;
         for (std::size_t p = begin; p < end; ++p) {
             if (a.image[p]) continue;
-            const double growth = std::max(0.0, a.motion[p].smoothing - a.build_smoothing[p]);
-            const double left = 0.5 * (a.skin[p] - support_ * growth) - planes;
-            const Vec3 moved = a.motion[p].position - a.build_position[p] - common;
+            const double growth = std::max(0.0, a.motion[p].smoothing - (1 - 1e-7) * a.build_smoothing[p]);
+            const double left = 0.5 * (a.skin[p] - support_ * growth) - planes - a.build_rounding;
+            const Vec3 moved = a.motion[p].position - a.built_at(p) - common;
             count += !(left >= 0 && dot(moved, moved) <= left * left);
         }
         return count;
@@ -88,13 +135,10 @@ bool ParticleBody::lists_hold(const State& state) const
 void ParticleBody::list_neighbours(const ParticleCells& cells)
 {
     ParticleArrays& a = arrays_;
-    a.build_position.resize(a.motion.size());
-    a.build_smoothing.resize(a.motion.size());
+    a.remember_build();
     images_.copy_skins(a);
     std::vector<double> reach(a.motion.size());
     for (std::size_t p = 0; p < a.motion.size(); ++p) {
-        a.build_position[p] = a.motion[p].position;
-        a.build_smoothing[p] = a.motion[p].smoothing;
         reach[p] = 0.5 * (support_ * a.motion[p].smoothing + a.skin[p]);
     }
     std::vector<std::uint64_t> sees;
@@ -103,7 +147,7 @@ void ParticleBody::list_neighbours(const ParticleCells& cells)
     }
     std::vector<std::uint8_t> listless = a.image; // neighbours of others without neighbours of their own
     for (std::size_t p = 0; p < listless.size(); ++p) listless[p] |= a.asleep[p];
-    build_neighbours(cells, {a.build_position, reach, listless, a.part, sees}, runs_);
+    build_neighbours(cells, {a.motion, reach, listless, a.part, sees}, runs_);
     ++searches_;
 }
 

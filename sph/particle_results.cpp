@@ -36,7 +36,7 @@ std::vector<int> ParticleBody::count_neighbours() const
     };
     for (const NeighbourRun& run : runs_) {
         const std::uint16_t* inside = run.inside.data();
-        const Index* outside = run.outside.data();
+        const std::uint16_t* outside = run.outside.data();
         for (Index i = 0; i < run.length(); ++i) {
             const Index p = run.begin + i;
             for (int k = 0; k < run.batches[i].inside * lane_count; ++k) {
@@ -45,7 +45,9 @@ std::vector<int> ParticleBody::count_neighbours() const
                 ++count[p];
                 ++count[other];
             }
-            for (int k = 0; k < run.batches[i].outside * lane_count; ++k) count[p] += touches(p, *outside++);
+            for (int k = 0; k < run.batches[i].outside * lane_count; ++k) {
+                count[p] += touches(p, run.halo[*outside++]);
+            }
         }
     }
     return count;
@@ -80,15 +82,19 @@ void ParticleBody::collect(const State& state, ElementResults& results) const
     if (results.particles.empty()) return;
     const ParticleArrays& a = arrays_;
     const std::vector<int> neighbours = count_neighbours();
+    std::vector<Index> element_of(state.size(), none);
+    for (const ParticlePart& part : parts_) {
+        for (std::size_t i = 0; i < part.elements.size(); ++i) element_of[part.nodes[i]] = part.elements[i];
+    }
     for (Index p = 0; p < a.size(); ++p) {
-        if (a.image[p] || a.element[p] == none) continue;
+        if (a.image[p] || element_of[a.node[p]] == none) continue;
         const ParticlePart& part = parts_[a.part[p]];
-        ElementResults::Particle& particle = results.particles[a.element[p]];
+        ElementResults::Particle& particle = results.particles[element_of[a.node[p]]];
         particle.smoothing = a.motion[p].smoothing;
         particle.pressure = a.pressure[p];
         particle.density = a.density[p];
-        particle.mass = a.mass[p];
-        particle.internal_energy = a.energy[p] * a.mass[p] / part.constants.density;
+        particle.mass = a.mass(p);
+        particle.internal_energy = a.energy[p] * a.mass(p) / part.constants.density;
         particle.plastic_strain = strain_of(part, a, p);
         particle.stress = stress_of(part, a, p);
         particle.neighbours = neighbours[p];

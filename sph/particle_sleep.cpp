@@ -35,7 +35,7 @@ void ParticleBody::put_to_sleep(State& state)
         (a.asleep[p] ? sleepers_ : places_)[a.part[p]].push_back(p);
         if (!a.asleep[p]) continue;
         Vec3& velocity = state.velocity[a.node[p]];
-        damped_energy_ += 0.5 * a.mass[p] * dot(velocity, velocity);
+        damped_energy_ += 0.5 * a.mass(p) * dot(velocity, velocity);
         velocity = a.motion[p].velocity = {};
         a.rate[p] = 0;
     }

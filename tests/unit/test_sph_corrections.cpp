@@ -24,6 +24,7 @@ struct TwoPartBlock {
     {
         world.options.laminar_by_velocity = laminar_by_velocity;
         world.options.kernel = Kernel::wendland_c2;
+        world.options.skin = 0.1; // lists hold although the laws change h before any step
         world.options.dimension = dimension;
         world.options.volume_weighted = volume_weighted;
         auto positions = lattice({0, 0, 0}, 10, 9, dimension == 3 ? 8 : 1, 1.0);
@@ -80,11 +81,11 @@ void for_pairs(const TwoPartBlock& block, Index i, Work&& work)
         pair.smoothing = h;
         pair.kernel = TestKernel::norm(d) / std::pow(h, d) * TestKernel::value(r / h);
         pair.gradient = TestKernel::norm(d) / std::pow(h, d + 1) * TestKernel::slope(r / h) / r * pair.apart;
-        pair.mass = a.mass[j];
+        pair.mass = a.mass(j);
         pair.density_i = a.density[i];
         pair.density_j = a.density[j];
-        pair.volume = a.mass[j] / a.density[j];
-        const double mean_volume = 0.5 * (a.mass[i] / a.density[i] + pair.volume);
+        pair.volume = a.mass(j) / a.density[j];
+        const double mean_volume = 0.5 * (a.mass(i) / a.density[i] + pair.volume);
         pair.f = TestKernel::value(r / h) / TestKernel::value(std::pow(mean_volume, 1.0 / d) / h);
         pair.sound = 0.5 * (a.push[i].sound + a.push[j].sound);
         work(j, pair);
@@ -221,8 +222,8 @@ TEST_P(SphCorrections, DiffusionLeavesMassAndTheHydrostaticStateAlone)
         });
         EXPECT_NEAR(plain[i], expected, 1e-12) << i;
         EXPECT_NEAR(lanes[i], expected, 1e-7) << i;
-        mass += plain[i] * a.mass[i] / a.density[i];
-        size += std::abs(plain[i] * a.mass[i] / a.density[i]);
+        mass += plain[i] * a.mass(i) / a.density[i];
+        size += std::abs(plain[i] * a.mass(i) / a.density[i]);
     }
     EXPECT_GT(size, 1e-3) << "the test would show nothing";
     EXPECT_NEAR(mass, 0, 1e-12 * static_cast<double>(a.size()));
@@ -247,7 +248,7 @@ TEST_P(SphCorrections, FilteredDensityIsTheMeanOfTheNeighbours)
     const auto plain = density_in(double{}), lanes = density_in(Lanes{});
     for (Index i = 0; i < a.size(); i += 3) {
         const double self = TestKernel::norm(d) / std::pow(a.motion[i].smoothing, d) * TestKernel::value(0.0);
-        double mass = self * a.mass[i], volume = self * a.mass[i] / a.density[i];
+        double mass = self * a.mass(i), volume = self * a.mass(i) / a.density[i];
         for_pairs(block, i, [&](Index, const Pair& p) {
             mass += p.mass * p.kernel;
             volume += p.volume * p.kernel;

@@ -1,5 +1,7 @@
 #include "sph/neighbours.h"
 
+#include "core/run_error.h"
+
 #include <gtest/gtest.h>
 
 #include <omp.h>
@@ -35,7 +37,12 @@ struct Cloud {
         }
         build();
     }
-    void build() { build_neighbours(cells, {position, reach, image, group, sees}, runs); }
+    void build(std::size_t largest_halo = 65536)
+    {
+        std::vector<MotionRecord> motion(position.size());
+        for (std::size_t p = 0; p < position.size(); ++p) motion[p].position = position[p];
+        build_neighbours(cells, {motion, reach, image, group, sees}, runs, largest_halo);
+    }
 
     bool close(Index a, Index b) const
     {
@@ -63,7 +70,7 @@ Pairs walked_pairs(const Cloud& cloud)
                 pairs.insert({other, p});
             }
             for (int k = 0; k < run.batches[i].outside * lane_count; ++k) {
-                const Index other = run.outside[outside++];
+                const Index other = run.halo[run.outside[outside++]];
                 if (other != p) pairs.insert({p, other});
             }
         }
@@ -93,6 +100,18 @@ TEST(SphNeighbours, ListsEveryClosePairOnceAndNoOther)
     EXPECT_EQ(walked_pairs(cloud), expected);
 }
 
+/// Runs with more neighbours outside than 16 bits can number are cut in halves.
+TEST(SphNeighbours, RunsAreCutUntilTheirHalosFit)
+{
+    Cloud cloud(4000, 1, false);
+    const std::size_t whole = cloud.runs.size();
+    cloud.build(250);
+    EXPECT_GT(cloud.runs.size(), whole);
+    for (const NeighbourRun& run : cloud.runs) EXPECT_LE(run.halo.size(), 250u);
+    EXPECT_EQ(walked_pairs(cloud), all_close_pairs(cloud));
+    EXPECT_THROW(cloud.build(10), RunError);
+}
+
 TEST(SphNeighbours, ImagesAreSeenButSeeNothing)
 {
     Cloud cloud(3000, 2, true);
@@ -120,6 +139,7 @@ TEST(SphNeighbours, TheOrderIsAFunctionOfThePositionsAlone)
         for (std::size_t r = 0; r < one.runs.size(); ++r) {
             ASSERT_EQ(many.runs[r].inside, one.runs[r].inside);
             ASSERT_EQ(many.runs[r].outside, one.runs[r].outside);
+            ASSERT_EQ(many.runs[r].halo, one.runs[r].halo);
         }
     }
     omp_set_num_threads(before);

@@ -91,7 +91,7 @@ TEST(SphWater, StandsStillUnderGravity)
         double above = 0;
         for (Index other = 0; other < a.size(); ++other) {
             if (a.image[other]) continue;
-            above += a.mass[other] * std::clamp(0.5 + (a.motion[other].position.y - y) / spacing, 0.0, 1.0);
+            above += a.mass(other) * std::clamp(0.5 + (a.motion[other].position.y - y) / spacing, 0.0, 1.0);
         }
         const double error = a.pressure[p] - above * gravity / width;
         sum += error * error;
