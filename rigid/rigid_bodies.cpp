@@ -8,6 +8,21 @@
 
 namespace plash {
 
+namespace {
+
+/// Gives the nodes of a body its velocity at the start, which may come from a card and not from them: the first
+/// state of result files shows it, and contacts and dampers feel it in the first cycle.
+void show_velocity(const RigidBody& body, State& state)
+{
+    for (Index node : body.nodes) {
+        const Vec3 arm = state.position[node] - body.center;
+        state.velocity[node] = body.velocity + cross(body.angular_velocity, arm);
+        if (state.rotational()) state.angular_velocity[node] = body.angular_velocity;
+    }
+}
+
+} // namespace
+
 RigidBodies::RigidBodies(const Model& model, RigidSetup setup, State& state)
     : model_(model),
       bodies_(std::move(setup.bodies)),
@@ -25,6 +40,7 @@ RigidBodies::RigidBodies(const Model& model, RigidSetup setup, State& state)
             state.mass[node] = 0;
             if (state.rotational()) state.inertia[node] = 0;
         }
+        show_velocity(bodies_[number], state);
         bodies_[number].acceleration_of_node.resize(bodies_[number].nodes.size());
     }
     before_.resize(bodies_.size());

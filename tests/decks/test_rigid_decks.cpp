@@ -131,6 +131,13 @@ TEST(RigidDecks, ExtraNodesMergesAndNodalBodies)
                 "*INITIAL_VELOCITY_RIGID_BODY\n9,1.0,0.0,0.0,0.0,0.0,0.5\n*END\n");
     ASSERT_EQ(run.error, "");
     ASSERT_EQ(run.bodies().size(), 2u);
+    // Before the first cycle nodes show the velocity that their body has from the card: (1, 0, 0), and 0.5
+    // about the axis along z through its center (0, 0.5, 9.5).
+    const Scene start = make_scene(run.read.model);
+    const auto& ids = start.model.nodes.id;
+    const auto node = std::find(ids.begin(), ids.end(), 32) - ids.begin();
+    EXPECT_NEAR(start.state.velocity[node].x, 1 - 0.5 * 1.5, 1e-12);
+    EXPECT_NEAR(start.state.velocity[node].y, 0, 1e-12);
     const RigidBody& merged = run.bodies()[0];
     EXPECT_EQ(merged.nodes.size(), 17u);
     EXPECT_NEAR(merged.mass, 20, 1e-12);
