@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares a run of wedge.k with what is known: section force, velocity, energy.
 
-    python3 compare.py results/wedge [--slice 3] [--deadrise 30] [--velocity 1046] [--mass 1.6394]
+    python3 compare.py results/wedge [--csv estimate.csv] [--slice 3] [--deadrise 30] [--velocity 1046] [--mass 1.6394]
 
 Two known answers, both from the similarity solution of a wedge that enters at constant speed, whose force is
 f rho V^2 s at the penetration s (f by deadrise, from an independent solution of that problem):
@@ -81,10 +81,15 @@ def main():
     parser.add_argument("--velocity", type=float, default=1046.0)
     parser.add_argument("--mass", type=float, default=1.6394)
     parser.add_argument("--fall", type=float, default=5474.0)
+    parser.add_argument("--csv", help="writes the estimate for the model, for plash compare: time, force up, velocity up")
     args = parser.parse_args()
     with open(os.path.join(args.folder, "summary.json")) as file:
         summary = json.load(file)
     exact = estimate(args.mass, args.velocity, args.deadrise, args.fall, summary["time"])
+    if args.csv:
+        with open(args.csv, "w") as file:
+            file.write("time,force,velocity\n")
+            file.writelines(f"{t:.6e},{f * args.slice / 2:.6e},{-v:.6e}\n" for t, f, v in exact)
     # The model is half of a slice.
     force = [(t, 2 * f / args.slice) for t, f in contact_force(os.path.join(args.folder, "rcforc"))]
     force = smooth(force, WINDOW)

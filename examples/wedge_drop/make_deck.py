@@ -35,6 +35,7 @@ def arguments():
     parser.add_argument("--sound", type=float, default=150e3, help="speed of sound in the water [mm/s]")
     parser.add_argument("--linear", type=float, default=LINEAR, help="artificial viscosity Q2")
     parser.add_argument("--basin", type=float, nargs=2, default=BASIN, help="half width, height of the particles [mm]")
+    parser.add_argument("--cell", type=float, help="of the mesh with --fluid ale, if not as the particles [mm]")
     parser.add_argument("--plane", action="store_true", help="plane strain: one layer of particles")
     parser.add_argument("--plain", action="store_true", help="LS-DYNA's default particles, without *PLASH_ keywords")
     return parser.parse_args()
@@ -112,6 +113,11 @@ def add_water(deck, spacing, basin):
                 deck.particles.append(deck.node((i + 0.5) * spacing, -(j + 0.5) * spacing, z))
 
 
+FLUID_CARD = """*PLASH_FLUID
+$    fluid      size
+          {:10.4g}
+"""
+
 FORMULATION = """$ Wendland C2, density diffusion: docs/sph.md
 *PLASH_SPH_FORMULATION
 $   kernel     delta
@@ -154,7 +160,7 @@ $     hgen      rwen    slnten
 *CONTROL_SPH
 $     ncbs     boxid        dt      idim
          1         0     1e+20{2 if args.plane else 3:10d}
-{"" if args.plain else FORMULATION}*DATABASE_GLSTAT
+{"" if args.plain else FORMULATION}{FLUID_CARD.format(args.cell) if args.cell else ""}*DATABASE_GLSTAT
 $       dt
  1.000e-04
 *DATABASE_MATSUM

@@ -263,9 +263,10 @@ TEST(SolidGroups, FailedElementsLeaveTheirEnergyBehind)
 TEST(SolidGroups, RefuseWhatIsNotThereByName)
 {
     {
-        SolidBlock block({1, 1, 1}, {1, 1, 1}, record_of("MAT_SOIL_AND_FOAM", 5, {{"RO", 1}}));
-        EXPECT_NE(refusal(block.model).find("*MAT_SOIL_AND_FOAM 5 is not supported for the solids of part 1"),
-                  std::string::npos);
+        SolidBlock block({1, 1, 1}, {1, 1, 1}, record_of("MAT_GEOLOGIC_CAP_MODEL", 5, {{"RO", 1}}));
+        EXPECT_NE(
+            refusal(block.model).find("*MAT_GEOLOGIC_CAP_MODEL 5 is not supported for the solids of part 1"),
+            std::string::npos);
     }
     {
         SolidBlock block({1, 1, 1}, {1, 1, 1}, steel());
@@ -295,9 +296,10 @@ TEST(SolidGroups, RefuseWhatIsNotThereByName)
         SolidBlock block({1, 1, 1}, {1, 1, 1}, record_of("MAT_NULL", 3, {{"RO", 1000}}));
         EXPECT_EQ(refusal(block.model),
                   "*PART 1, field EOSID: the solids of *MAT_NULL 3 need an equation of state");
-        block.model.equations_of_state.push_back(record_of("EOS_JWL", 8, {}));
+        block.model.equations_of_state.push_back(record_of("EOS_PROPELLANT_DEFLAGRATION", 8, {}));
         block.model.parts[0].equation_of_state = 0;
-        EXPECT_NE(refusal(block.model).find("*EOS_JWL 8 is not supported"), std::string::npos);
+        EXPECT_NE(refusal(block.model).find("*EOS_PROPELLANT_DEFLAGRATION 8 is not supported"),
+                  std::string::npos);
     }
     {
         SolidBlock block({1, 1, 1}, {1, 1, 1}, steel());
