@@ -291,8 +291,9 @@ inline SolidResult<Lane> eight_point_step(const Point& point, const SolidParamet
         increment.xx += correction;
         increment.yy += correction;
         increment.zz += correction;
-        motion.increment = increment;
-        motion.rotation = incremental_rotation((0.5 * step) * axial_vector(gradient[i]));
+        const Vector3<Lane> half_turn = (0.5 * step) * axial_vector(gradient[i]);
+        motion.increment = turned_half(increment, half_turn);
+        motion.rotation = incremental_rotation(half_turn);
         SymmetricTensor<Lane> stress{points[0], points[1], points[2], points[3], points[4], points[5]};
         const SymmetricTensor<Lane> before = stress;
         stress = rotated(stress, motion.rotation);
