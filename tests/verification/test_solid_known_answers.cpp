@@ -11,7 +11,7 @@ using testing::SolidBlock;
 
 namespace {
 
-constexpr double gas = 1.4;
+constexpr double exponent_of_gas = 1.4;
 
 /// Radius of the shock of a point explosion at t = 1 in an eighth of space of n^3 hexahedra: the outermost
 /// cells whose pressure is above half of the largest one, as a mean over directions.
@@ -23,7 +23,8 @@ Blast sedov(int n, int hourglass_type)
     const double side = 1.2, alpha = 0.8510755490096461; // tests/reference/analytic.json
     SolidBlock block({n, n, n}, {side, side, side}, record_of("MAT_NULL", 1, {{"RO", 1}}));
     const auto eos = [](Id id, double energy) {
-        return record_of("EOS_LINEAR_POLYNOMIAL", id, {{"C4", gas - 1}, {"C5", gas - 1}, {"E0", energy}});
+        return record_of("EOS_LINEAR_POLYNOMIAL", id,
+                         {{"C4", exponent_of_gas - 1}, {"C5", exponent_of_gas - 1}, {"E0", energy}});
     };
     Model& model = block.model;
     const double cell = side / n;
