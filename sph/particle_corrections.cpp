@@ -80,7 +80,7 @@ double ParticleBody::power_of_walls() const
         double power = 0;
         for (std::size_t p = begin; p < end; ++p) {
             if (arrays_.image[p]) continue;
-            power += dot(arrays_.viscous_force[p], arrays_.motion[p].velocity) + arrays_.heat[p];
+            power += dot(wide(arrays_.viscous_force[p]), arrays_.motion[p].velocity) + arrays_.heat[p];
         }
         return power;
     });
