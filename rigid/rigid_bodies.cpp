@@ -10,8 +10,8 @@ namespace plash {
 
 namespace {
 
-/// Gives the nodes of a body its velocity at the start, which may come from a card and not from them: the first
-/// state of result files shows it, and contacts and dampers feel it in the first cycle.
+/// Gives the nodes of a body its velocity at the start, which may come from a card and not from them: the
+/// first state of result files shows it, and contacts and dampers feel it in the first cycle.
 void show_velocity(const RigidBody& body, State& state)
 {
     for (Index node : body.nodes) {

@@ -30,8 +30,9 @@ struct CouplingOptions {
     int points_per_edge = 0;         ///< NQUAD; more are taken where segments are long. 0: as many as needed
     unsigned fluids = ~0u;           ///< MCOUP: bit g for fluid g
     double start = 0, end = forever; ///< [time]
-    /// Of couplings that stand for a contact (docs/fluids.md): shells act on both of their sides, and the force
-    /// is reported under the contact's number, structure as master; negative: as slave. 0: not reported so.
+    /// Of couplings that stand for a contact (docs/fluids.md): shells act on both of their sides, and the
+    /// force is reported under the contact's number, structure as master; negative: as slave. 0: not reported
+    /// so.
     bool both_sides = false;
     Id contact = 0;
 };

@@ -112,7 +112,8 @@ TEST(ContactKeyword, TiebreakOptionThatIsNotThere)
         read({"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", K::two_way, M::penalty, "9,5.0,5.0\n"}, "");
     ASSERT_EQ(result.report.errors.size(), 1u);
     EXPECT_EQ(result.report.errors[0].field, "OPTION");
-    EXPECT_NE(result.report.errors[0].text.find("9 is not supported; 1, 2, 3, 4, 6 and 8 are"), std::string::npos);
+    EXPECT_NE(result.report.errors[0].text.find("9 is not supported; 1, 2, 3, 4, 6 and 8 are"),
+              std::string::npos);
 }
 
 /// SOFT = 2 looks at edges where DEPTH says so.

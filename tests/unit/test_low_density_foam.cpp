@@ -143,8 +143,8 @@ double press(const FuChangFoam& law, double& stretch, double to, double rate, do
 
 } // namespace
 
-/// Between the curves of its table, linear in the nominal rate; back along the curve of the lowest rate (HU = 0).
-/// The mean rate lags by some eleven steps of 1e-4, in which the stretch of 0.6 changes by 0.2 %.
+/// Between the curves of its table, linear in the nominal rate; back along the curve of the lowest rate (HU =
+/// 0). The mean rate lags by some eleven steps of 1e-4, in which the stretch of 0.6 changes by 0.2 %.
 TEST(FuChangFoam, PressedFollowsTheCurveOfItsRate)
 {
     for (const double flag : {0.0, 1.0, 2.0}) {
