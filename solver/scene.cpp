@@ -22,6 +22,7 @@
 #include "rigid/rigid_bodies.h"
 #include "solver/rigid_parts.h"
 #include "sph/particle_bodies.h"
+#include "sph/particle_coupling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +120,7 @@ Scene make_scene(const Model& model)
     for (auto& group : make_beam_groups(model, state)) scene.terms.push_back(std::move(group));
     if (auto springs = make_springs(model, state)) scene.terms.push_back(std::move(springs));
     for (auto& body : make_particle_bodies(model, state)) scene.terms.push_back(std::move(body));
+    for (auto& coupling : make_particle_couplings(model, state)) scene.terms.push_back(std::move(coupling));
     add_eulerian_fluids(scene);
     for (auto& contact : make_contacts(model)) scene.terms.push_back(std::move(contact));
     add_rigid_masses(model, state);

@@ -168,6 +168,13 @@ void check_formulation(const std::vector<ParticlePart>& parts, const Model& mode
 
 } // namespace
 
+double initial_smoothing(const Model& model, Index part, const std::vector<Vec3>& positions)
+{
+    PartConstants constants;
+    set_smoothing(section_of(model, model.parts[part]), positions, constants);
+    return constants.smoothing;
+}
+
 double particle_spacing(const std::vector<Vec3>& positions)
 {
     if (positions.size() < 2) return 0;

@@ -26,6 +26,9 @@ std::vector<std::string_view> particle_material_keywords();
 /// *CONTROL_SPH and *BOUNDARY_SPH_...: how particles act on each other.
 ParticleOptions particle_options_of(const Model& model);
 
+/// Smoothing length at the start of the particles of a part, which stand at `positions` [length].
+double initial_smoothing(const Model& model, Index part, const std::vector<Vec3>& positions);
+
 /// LS-DYNA's measure of the spacing of some particles: the largest of their distances to the nearest one
 /// [length].
 double particle_spacing(const std::vector<Vec3>& positions);
