@@ -77,8 +77,9 @@ public:
     void report(EnergyLedger& ledger) const override;
     void serialise(Archive& archive) override
     {
+        archive(wall_work_, wall_power_);
         archive(arrays_, images_, runs_, places_, sleepers_, searches_, departed_, followed_, damped_energy_,
-                wall_work_, wall_power_, regions_at_, skin_, least_skin_, cycles_since_search_);
+                regions_at_, skin_, least_skin_, cycles_since_search_);
     }
     void collect(const State& state, ElementResults& results) const override;
 
