@@ -80,6 +80,8 @@ def main():
 
 def write(rows, repetitions):
     page = os.path.join(TOP, "docs", "results", "speed.md")
+    with open(page) as file:
+        others = file.read().partition("\n## ")  # what other commands have measured stays
     with open(page, "w") as file:
         print("# Speed of whole runs\n", file=file)
         print(f"`python3 bench/speed.py {repetitions}` on {datetime.date.today()}, {processor()}, "
@@ -96,6 +98,7 @@ def write(rows, repetitions):
                   f"{100 * row['balance']:.2f} % | {row['bytes']:.0f} |", file=file)
         print("\nThe peer is OpenRadioss 2026 with native vectors, measured on the same kind of machine: 20,480 to "
               "102,400\nquads with MAT_024 and 64,512 one-point hexes with MAT_003.", file=file)
+        print(others[1] + others[2], end="", file=file)
 
 
 main()
