@@ -21,8 +21,11 @@ SpragueGeers sprague_geers(const std::vector<double>& measured, const std::vecto
     const double mm = product_sum(measured, measured), cc = product_sum(computed, computed);
     const double mc = product_sum(measured, computed);
     SpragueGeers result;
+    if (mm == 0 && cc == 0) return result; // nothing beside nothing
     result.magnitude = std::sqrt(cc / mm) - 1;
-    result.phase = std::acos(std::clamp(mc / std::sqrt(mm * cc), -1.0, 1.0)) / std::numbers::pi;
+    result.phase = mm == 0 || cc == 0
+                       ? 0.5
+                       : std::acos(std::clamp(mc / std::sqrt(mm * cc), -1.0, 1.0)) / std::numbers::pi;
     result.comprehensive = std::hypot(result.magnitude, result.phase);
     return result;
 }

@@ -23,7 +23,8 @@ struct CurveErrors {
 };
 
 /// Both curves are sampled at `samples` even times of their common span. A reference that is zero throughout
-/// gives infinite or undefined (not a number) relative errors. Wants a common span and samples > 1.
+/// gives infinite or undefined (not a number) relative errors; by Sprague & Geers two such curves agree.
+/// Wants a common span and samples > 1.
 CurveErrors curve_errors(const TimeCurve& reference, const TimeCurve& computed, std::size_t samples = 1001);
 
 } // namespace plash

@@ -65,6 +65,20 @@ TEST(CurveErrors, AShiftIsAllPhaseAndNoMagnitude)
     EXPECT_NEAR(errors.rms, 2 * std::sin(phi / 2) * std::sqrt(0.5), 1e-3); // both end points counted whole
 }
 
+/// Curves that are zero throughout have neither magnitude nor phase to differ in.
+TEST(CurveErrors, NothingBesideNothingIsNoError)
+{
+    TimeCurve zero;
+    for (int i = 0; i <= 10; ++i) {
+        zero.time.push_back(0.1 * i);
+        zero.value.push_back(0);
+    }
+    const CurveErrors errors = curve_errors(zero, zero);
+    EXPECT_EQ(errors.sprague_geers.magnitude, 0);
+    EXPECT_EQ(errors.sprague_geers.phase, 0);
+    EXPECT_EQ(errors.sprague_geers.comprehensive, 0);
+}
+
 TEST(IsoRating, EqualCurvesAreExcellent)
 {
     const TimeCurve curve = curve_of([](double t) { return t * std::exp(-5 * t); });
