@@ -107,8 +107,9 @@ void ParticleArrays::remember_build()
 bool ParticleBody::lists_hold(const State& state) const
 {
     const ParticleArrays& a = arrays_;
-    const double planes = images_.behind(state, model_.nodes.position);
-    if (planes > 0.5 * least_skin_) return false;
+    // Which copy of a particle in a periodic basin is the real one makes no difference, so the planes may run
+    // ahead of those of the last search: not by much, as who has come through comes in again as still water.
+    if (images_.behind(state, model_.nodes.position) > 10 * least_skin_) return false;
     for (std::size_t i = 0; i < options_.regions.size(); ++i) {
         // Who is awake is looked up again when a region has gone a few particles further.
         const Vec3 gone = options_.regions[i].travelled(state, model_.nodes.position) - regions_at_[i];
@@ -123,7 +124,7 @@ bool ParticleBody::lists_hold(const State& state) const
         for (std::size_t p = begin; p < end; ++p) {
             if (a.image[p]) continue;
             const double growth = std::max(0.0, a.motion[p].smoothing - (1 - 1e-7) * a.build_smoothing[p]);
-            const double left = 0.5 * (a.skin[p] - support_ * growth) - planes - a.build_rounding;
+            const double left = 0.5 * (a.skin[p] - support_ * growth) - a.build_rounding;
             const Vec3 moved = a.motion[p].position - a.built_at(p) - common;
             count += !(left >= 0 && dot(moved, moved) <= left * left);
         }
