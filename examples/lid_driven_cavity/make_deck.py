@@ -57,7 +57,7 @@ $ floor, sides, lid: a point, a point further in, then the velocity
          1
 *MAT_NULL
 $ no cut-off: all is under tension somewhere
-         1       1.0         0{1 / args.reynolds:10.4g}
+         1       1.0    -1e+20{1 / args.reynolds:10.4g}
 *EOS_LINEAR_POLYNOMIAL
 $    eosid        c0        c1
          1       0.0{SOUND ** 2:10.4g}
