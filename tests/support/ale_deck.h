@@ -5,6 +5,7 @@
 #include "parser/read_model.h"
 #include "solver/explicit_loop.h"
 #include "solver/scene.h"
+#include "tests/support/each_cycle.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -92,18 +93,8 @@ public:
     /// To the deck's end, or to `until`; watch(clock, state) is called in every cycle.
     Outcome run(const std::function<void(const Clock&, const State&)>& watch = {})
     {
-        struct Watch : Recorder {
-            std::function<void(const Clock&, const State&)> call;
-            double next_time() const override { return 1e300; }
-            void write(const Snapshot&) override {}
-            void follow(const Clock& clock, const State& state) override { call(clock, state); }
-        };
         Recorders recorders;
-        if (watch) {
-            auto recorder = std::make_unique<Watch>();
-            recorder->call = watch;
-            recorders.push_back(std::move(recorder));
-        }
+        if (watch) recorders.push_back(std::make_unique<EachCycle>(watch));
         const Outcome outcome = plash::run(*scene_, recorders);
         EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
         return outcome;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/recorder.h"
 #include "model/model.h"
 #include "solver/scene.h"
+#include "tests/support/each_cycle.h"
 #include "tests/support/records.h"
 
 #include <functional>
@@ -90,19 +90,6 @@ public:
 
 private:
     double rate_;
-};
-
-/// Calls a function after every cycle.
-class EachCycle : public Recorder {
-public:
-    using Function = std::function<void(const Clock&, const State&)>;
-    explicit EachCycle(Function function) : function_(std::move(function)) {}
-    double next_time() const override { return forever; }
-    void write(const Snapshot&) override {}
-    void follow(const Clock& clock, const State& state) override { function_(clock, state); }
-
-private:
-    Function function_;
 };
 
 } // namespace plash

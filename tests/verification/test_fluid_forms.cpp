@@ -1,6 +1,7 @@
 #include "solver/fluids/translate.h"
 #include "tests/paths.h"
 #include "tests/support/ale_deck.h"
+#include "tests/support/each_cycle.h"
 #include "tests/support/water_deck.h"
 
 #include <cmath>
@@ -30,18 +31,8 @@ struct FormRun {
     /// watch(clock, state) in every cycle.
     void go(const std::function<void(const Clock&, const State&)>& watch = {})
     {
-        struct Watch : Recorder {
-            std::function<void(const Clock&, const State&)> call;
-            double next_time() const override { return 1e300; }
-            void write(const Snapshot&) override {}
-            void follow(const Clock& clock, const State& state) override { call(clock, state); }
-        };
         Recorders recorders;
-        if (watch) {
-            auto recorder = std::make_unique<Watch>();
-            recorder->call = watch;
-            recorders.push_back(std::move(recorder));
-        }
+        if (watch) recorders.push_back(std::make_unique<EachCycle>(watch));
         outcome = run(*scene, recorders);
         EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
     }
