@@ -9,6 +9,7 @@
 // threads.
 
 #include "conditions/body_loads.h"
+#include "core/release.h"
 #include "eos/murnaghan.h"
 #include "tests/support/particle_setup.h"
 
@@ -112,7 +113,7 @@ int main(int argc, char** argv)
     const std::size_t count = positions.size();
     world.add_part(std::make_shared<FluidLaw<Murnaghan>>(fluid, water), density, positions,
                    density * spacing * spacing * spacing, ratio * spacing);
-    positions = {};
+    release(positions);
     world.open_state();
     world.model.controls.time.step_scale = 0.3;
     BodyLoad weight;

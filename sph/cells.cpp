@@ -1,10 +1,12 @@
 #include "sph/cells.h"
 
 #include "core/parallel.h"
+#include "core/release.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 namespace plash {
 
@@ -111,40 +113,65 @@ void sort_by_key(std::vector<std::uint64_t>& key, std::vector<Index>& value, int
     }
 }
 
-void ParticleCells::sort(std::span<const Vec3> position, double side)
+void ParticleCells::sort(std::span<const Vec3> position, double side, std::size_t real_count)
 {
-    const std::size_t count = position.size();
-    std::vector<std::uint64_t> key(count);
-    order_.resize(count);
     const Bounds bounds = bounds_of(position);
     const double per_cell = 1 / side;
-    for_chunks(count, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            // One empty cell below the lowest coordinate, so that every cell has neighbours to ask for.
-            const Vec3 distance = position[i] - bounds.lower;
-            key[i] = morton(1 + coordinate(distance.x, per_cell) % coordinate_limit,
-                            1 + coordinate(distance.y, per_cell) % coordinate_limit,
-                            1 + coordinate(distance.z, per_cell) % coordinate_limit);
-            order_[i] = static_cast<Index>(i);
-        }
-    });
+    const auto keys_of = [&](std::size_t first, std::size_t last) {
+        std::vector<std::uint64_t> key(last - first);
+        for_chunks(key.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                // One empty cell below the lowest coordinate, so that every cell has neighbours to ask for.
+                const Vec3 distance = position[first + i] - bounds.lower;
+                key[i] = morton(1 + coordinate(distance.x, per_cell) % coordinate_limit,
+                                1 + coordinate(distance.y, per_cell) % coordinate_limit,
+                                1 + coordinate(distance.z, per_cell) % coordinate_limit);
+            }
+        });
+        return key;
+    };
     const Vec3 extent = bounds.upper - bounds.lower;
     const std::uint64_t widest = 2 + coordinate(std::max({extent.x, extent.y, extent.z, 0.0}), per_cell);
-    sort_by_key(key, order_, 3 * std::bit_width(widest));
-    list_cells(key);
+    const int bits = 3 * std::bit_width(widest);
+
+    std::vector<std::uint64_t> key = keys_of(0, real_count), copy_key = keys_of(real_count, position.size());
+    release(order_);
+    order_.reserve(position.size());
+    order_.resize(real_count);
+    std::iota(order_.begin(), order_.end(), 0);
+    sort_by_key(key, order_, bits);
+    if (!copy_key.empty()) {
+        std::vector<Index> copies(copy_key.size());
+        std::iota(copies.begin(), copies.end(), static_cast<Index>(real_count));
+        sort_by_key(copy_key, copies, bits);
+        order_.insert(order_.end(), copies.begin(), copies.end());
+    }
+    list_cells(key, copy_key);
     fill_table();
 }
 
-void ParticleCells::list_cells(const std::vector<std::uint64_t>& sorted_keys)
+/// All keys of both sorted lists, and where each of them begins in both.
+void ParticleCells::list_cells(const std::vector<std::uint64_t>& sorted_keys,
+                               const std::vector<std::uint64_t>& sorted_copies)
 {
     key_.clear();
     first_.clear();
-    for (std::size_t i = 0; i < sorted_keys.size(); ++i) {
-        if (i > 0 && sorted_keys[i] == key_.back()) continue;
-        key_.push_back(sorted_keys[i]);
+    first_copy_.clear();
+    std::size_t i = 0, copy = 0;
+    const auto end_cell = [&] {
         first_.push_back(static_cast<Index>(i));
+        first_copy_.push_back(static_cast<Index>(sorted_keys.size() + copy));
+    };
+    while (i < sorted_keys.size() || copy < sorted_copies.size()) {
+        const bool of_copy =
+            i == sorted_keys.size() || (copy < sorted_copies.size() && sorted_copies[copy] < sorted_keys[i]);
+        const std::uint64_t key = of_copy ? sorted_copies[copy] : sorted_keys[i];
+        key_.push_back(key);
+        end_cell();
+        while (i < sorted_keys.size() && sorted_keys[i] == key) ++i;
+        while (copy < sorted_copies.size() && sorted_copies[copy] == key) ++copy;
     }
-    first_.push_back(static_cast<Index>(sorted_keys.size()));
+    end_cell();
 }
 
 void ParticleCells::fill_table()

@@ -10,20 +10,27 @@
 
 namespace plash {
 
-/// Particles sorted into cubic cells. Only cells that hold particles exist, so a splash that flies far costs
+/// Particles, and mirror and periodic copies of them, sorted into cubic cells: all particles first, then all
+/// copies. Only cells that hold particles exist, so a splash that flies far costs
 /// nothing; cells follow a Morton curve, so that particles that are close in space are mostly close in
 /// memory. The order is a function of the positions alone: inside a cell particles keep the order in which
 /// they were given.
 class ParticleCells {
 public:
-    /// side  edge of a cell [length]
-    void sort(std::span<const Vec3> position, double side);
+    /// side        edge of a cell [length]
+    /// real_count  how many of the given positions, from the first one on, are those of particles; the rest
+    ///             are copies
+    void sort(std::span<const Vec3> position, double side, std::size_t real_count);
+    void sort(std::span<const Vec3> position, double side) { sort(position, side, position.size()); }
 
-    const std::vector<Index>& order() const { return order_; } ///< sorted place -> given particle
+    /// Sorted place -> given particle or copy. Copies stand behind all particles.
+    const std::vector<Index>& order() const { return order_; }
     Index cell_count() const { return static_cast<Index>(key_.size()); }
     Index begin(Index cell) const { return first_[cell]; } ///< sorted places begin(cell) .. end(cell) - 1
     Index end(Index cell) const { return first_[cell + 1]; }
-    /// The cell that holds a sorted place.
+    /// Copies stand at the sorted places first_copy(cell) .. first_copy(cell + 1) - 1.
+    Index first_copy(Index cell) const { return first_copy_[cell]; }
+    /// The cell that holds the particle of a sorted place.
     Index cell_of_place(Index place) const;
 
     /// Occupied cells among a cell and its 26 neighbours, in rising order. Returns their number.
@@ -32,11 +39,12 @@ public:
 private:
     std::vector<Index> order_;
     std::vector<std::uint64_t> key_; ///< by cell, rising
-    std::vector<Index> first_;
+    std::vector<Index> first_, first_copy_;
     std::vector<Index> table_; ///< open addressing over key_; none = free
     int table_shift_ = 0;
 
-    void list_cells(const std::vector<std::uint64_t>& sorted_keys);
+    void list_cells(const std::vector<std::uint64_t>& sorted_keys,
+                    const std::vector<std::uint64_t>& sorted_copies);
     void fill_table();
     Index find(std::uint64_t key) const;
 };

@@ -79,7 +79,7 @@ void sum_laminar_forces(Kernel kernel, int dimension, const std::vector<Neighbou
 std::vector<double> filtered_densities(Kernel kernel, int dimension, bool volume_weighted,
                                        const std::vector<NeighbourRun>& runs, const ParticleArrays& arrays)
 {
-    std::vector<double> mass(arrays.motion.size()), volume(arrays.motion.size());
+    std::vector<double> mass(arrays.real_count()), volume(arrays.real_count());
     const auto count = static_cast<std::ptrdiff_t>(runs.size());
     with_kernel(kernel, [&]<class K>(K) {
 #pragma omp parallel for schedule(dynamic) if (count > 1)
@@ -92,7 +92,7 @@ std::vector<double> filtered_densities(Kernel kernel, int dimension, bool volume
     });
     for_chunks(mass.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-            if (!arrays.image[p]) mass[p] /= volume[p];
+            mass[p] /= volume[p];
         }
     });
     return mass;

@@ -126,36 +126,38 @@ void Images::find(double range, std::vector<Vec3>& position)
     }
 }
 
-void Images::settle(ParticleArrays& arrays)
+void Images::settle(std::span<const Index> order, ParticleArrays& arrays)
 {
     if (images_.empty()) return;
-    const std::size_t real_count = arrays.particle.size() - images_.size();
-    std::vector<Index> place(arrays.particle.size());
-    for (std::size_t p = 0; p < place.size(); ++p) place[arrays.particle[p]] = static_cast<Index>(p);
-    place_.assign(place.begin() + static_cast<std::ptrdiff_t>(real_count), place.end());
-    source_place_.resize(images_.size());
-    for (std::size_t k = 0; k < images_.size(); ++k) {
-        source_place_[k] = place[images_[k].source];
-        arrays.part[place_[k]] = arrays.part[source_place_[k]];
-        const bool shifted = same(transforms_[images_[k].transform].turn, Matrix3::identity());
-        arrays.image[place_[k]] = shifted ? periodic_image : mirror_image;
+    const std::size_t real_count = order.size() - images_.size();
+    std::vector<Index> place(real_count);
+    for (std::size_t p = 0; p < real_count; ++p) place[order[p]] = static_cast<Index>(p);
+    std::vector<Image> sorted;
+    sorted.reserve(images_.size());
+    for (std::size_t p = real_count; p < order.size(); ++p) {
+        const Image& image = images_[order[p] - real_count];
+        sorted.push_back({place[image.source], image.transform});
+        arrays.part[p] = arrays.part[sorted.back().source];
+        const bool shifted = same(transforms_[image.transform].turn, Matrix3::identity());
+        arrays.image[p] = shifted ? periodic_image : mirror_image;
     }
+    images_ = std::move(sorted);
 }
 
 void Images::copy_skins(ParticleArrays& arrays) const
 {
-    for (std::size_t k = 0; k < images_.size(); ++k) {
-        arrays.skin[place_[k]] = arrays.skin[source_place_[k]];
-    }
+    const std::size_t first = arrays.real_count();
+    for (std::size_t k = 0; k < images_.size(); ++k) arrays.skin[first + k] = arrays.skin[images_[k].source];
 }
 
 void Images::refresh_motion(ParticleArrays& arrays) const
 {
+    const std::size_t first = arrays.real_count();
     for_chunks(images_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            const MotionRecord& source = arrays.motion[source_place_[k]];
+            const MotionRecord& source = arrays.motion[images_[k].source];
             const Transform& transform = transforms_[images_[k].transform];
-            arrays.motion[place_[k]] = {transform.turn * source.position + transform.shift, source.smoothing,
+            arrays.motion[first + k] = {transform.turn * source.position + transform.shift, source.smoothing,
                                         transform.turn * source.velocity, source.weight};
         }
     });
@@ -163,15 +165,19 @@ void Images::refresh_motion(ParticleArrays& arrays) const
 
 void Images::refresh_all(ParticleArrays& arrays) const
 {
+    const std::size_t first = arrays.real_count();
     for_chunks(images_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            const MotionRecord& source = arrays.motion[source_place_[k]];
+            const Index from = images_[k].source;
+            const MotionRecord& source = arrays.motion[from];
             const Transform& transform = transforms_[images_[k].transform];
-            arrays.motion[place_[k]] = {transform.turn * source.position + transform.shift, source.smoothing,
+            arrays.motion[first + k] = {transform.turn * source.position + transform.shift, source.smoothing,
                                         transform.drag * source.velocity + transform.carry, source.weight};
-            arrays.push[place_[k]] = arrays.push[source_place_[k]];
-            if (!arrays.laminar.empty()) arrays.laminar[place_[k]] = arrays.laminar[source_place_[k]];
-            if (!arrays.tension.empty()) turn_tension(transform.turn, source_place_[k], place_[k], arrays);
+            arrays.push[first + k] = arrays.push[from];
+            if (!arrays.laminar.empty()) arrays.laminar[first + k] = arrays.laminar[from];
+            if (!arrays.tension.empty()) {
+                turn_tension(transform.turn, from, static_cast<Index>(first + k), arrays);
+            }
         }
     });
 }
@@ -179,7 +185,8 @@ void Images::refresh_all(ParticleArrays& arrays) const
 void Images::reflect_passed(ParticleArrays& arrays, State& state) const
 {
     if (mirrors_.empty()) return;
-    for (Index place : source_place_) {
+    for (const Image& image : images_) {
+        const Index place = image.source;
         const Index node = arrays.node[place];
         for (const MirrorPlane& mirror : mirrors_) {
             const double gap = dot(state.position[node] - mirror.point, mirror.normal);

@@ -51,11 +51,11 @@ public:
     void find(double range, std::vector<Vec3>& position);
 
     std::size_t size() const { return images_.size(); }
-    void serialise(Archive& archive) { archive(periods_, transforms_, images_, place_, source_place_); }
+    void serialise(Archive& archive) { archive(periods_, transforms_, images_); }
 
-    /// After sorting: finds where images and their sources stand, and gives images their kind and the part of
-    /// their source.
-    void settle(ParticleArrays& arrays);
+    /// After sorting: puts the images into their order and gives them their kind and the part of their
+    /// source. order  by sorted place: a particle, or behind all of them an image, by its number
+    void settle(std::span<const Index> order, ParticleArrays& arrays);
     /// Copies skins from sources to images.
     void copy_skins(ParticleArrays& arrays) const;
     /// Copies motion from sources to images, as the continuity equation sees walls.
@@ -68,7 +68,7 @@ public:
 
 private:
     struct Image {
-        Index source;    ///< number of the particle that it copies
+        Index source;    ///< the particle that it copies: its number, once settled its sorted place
         Index transform; ///< which copy it is
     };
     /// Copies what stands between two parallel planes beyond one of them.
@@ -90,9 +90,7 @@ private:
     std::vector<Vec3> first_lower_;        ///< of the pairs at the start
     std::vector<std::vector<Step>> steps_; ///< by boundary; steps of one boundary do not build on each other
     std::vector<Transform> transforms_;    ///< the first one is the identity
-    std::vector<Image> images_;
-    std::vector<Index> place_;        ///< by image: its sorted place
-    std::vector<Index> source_place_; ///< by image: its source's sorted place
+    std::vector<Image> images_;            ///< once settled as they stand behind the particles
 
     Vec3 lower_now(std::size_t pair, const State& state, const std::vector<Vec3>& start) const;
     Index transform_after(Index first, const Step& step);

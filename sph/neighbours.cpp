@@ -27,7 +27,7 @@ struct Candidates {
         x.push_back(input.motion[p].position.x);
         y.push_back(input.motion[p].position.y);
         z.push_back(input.motion[p].position.z);
-        reach.push_back(input.reach[p]);
+        reach.push_back(input.reach(p));
         place.push_back(p);
     }
     void make_room()
@@ -87,13 +87,42 @@ private:
     }
 };
 
+/// Pairs of a run that wait for the second of their particles to be listed, with it.
+class HandedOver {
+public:
+    void clear(Index particles)
+    {
+        last_.assign(particles, none);
+        pairs_.clear();
+    }
+    void add(Index to, Index from)
+    {
+        pairs_.push_back({from, last_[to]});
+        last_[to] = static_cast<Index>(pairs_.size()) - 1;
+    }
+    /// Calls take(from) for all that were handed over to a particle.
+    template <class Take>
+    void for_each(Index to, Take&& take) const
+    {
+        for (Index pair = last_[to]; pair != none; pair = pairs_[pair].before) take(pairs_[pair].from);
+    }
+
+private:
+    struct Pair {
+        Index from, before;
+    };
+    std::vector<Index> last_; ///< by particle of the run: the last pair handed over to it
+    std::vector<Pair> pairs_;
+};
+
 /// What one thread works with.
 struct Scratch {
-    Candidates real, images;
+    Candidates awake, others; ///< others: images, and who is asleep
     std::vector<Index> found;
     std::vector<std::uint16_t> inside;
     std::vector<std::uint16_t> outside;
     HaloNumbers halo;
+    HandedOver handed_over;
 };
 
 Lanes load(const double* values)
@@ -166,13 +195,15 @@ public:
         scratch_.inside.clear();
         scratch_.outside.clear();
         scratch_.halo.clear();
+        scratch_.handed_over.clear(run_.length());
         for (Index cell = cells_.cell_of_place(run_.begin);
              cell < cells_.cell_count() && cells_.begin(cell) < run_.end; ++cell) {
+            if (cells_.begin(cell) == cells_.end(cell)) continue; // images alone
             collect_candidates(cell);
             const Index first = std::max(run_.begin, cells_.begin(cell));
             const Index last = std::min(run_.end, cells_.end(cell));
             for (Index p = first; p < last; ++p) {
-                if (!input_.image[p]) list(p);
+                if (!input_.asleep[p]) list(p);
             }
         }
         // Exact sizes: the lists are most of what a particle costs in memory.
@@ -187,43 +218,44 @@ private:
     const SearchInput& input_;
     NeighbourRun& run_;
     Scratch& scratch_;
-    std::size_t run_first_ = 0, run_last_ = 0; ///< real candidates that belong to the run
+    std::size_t run_first_ = 0, run_last_ = 0; ///< candidates awake that belong to the run
 
     void collect_candidates(Index cell)
     {
-        scratch_.real.clear();
-        scratch_.images.clear();
+        scratch_.awake.clear();
+        scratch_.others.clear();
         std::array<Index, 27> around;
         const int count = cells_.around(cell, around);
         for (int i = 0; i < count; ++i) {
             for (Index p = cells_.begin(around[i]); p < cells_.end(around[i]); ++p) {
-                (input_.image[p] ? scratch_.images : scratch_.real).add(input_, p);
+                (input_.asleep[p] ? scratch_.others : scratch_.awake).add(input_, p);
+            }
+            for (Index p = cells_.first_copy(around[i]); p < cells_.first_copy(around[i] + 1); ++p) {
+                scratch_.others.add(input_, p);
             }
         }
-        run_first_ = scratch_.real.first_from(run_.begin);
-        run_last_ = scratch_.real.first_from(run_.end);
-        scratch_.real.make_room();
-        scratch_.images.make_room();
-        scratch_.found.resize(scratch_.real.size() + scratch_.images.size() + 2 * lane_count);
+        run_first_ = scratch_.awake.first_from(run_.begin);
+        run_last_ = scratch_.awake.first_from(run_.end);
+        scratch_.awake.make_room();
+        scratch_.others.make_room();
+        scratch_.found.resize(scratch_.awake.size() + scratch_.others.size() + 2 * lane_count);
     }
 
     void list(Index p)
     {
-        const Candidates& real = scratch_.real;
+        const Candidates& awake = scratch_.awake;
         const Vec3& position = input_.motion[p].position;
-        const double reach = input_.reach[p];
+        const double reach = input_.reach(p);
         Index* const begin = scratch_.found.data();
         NeighbourRun::Batches& batches = run_.batches[p - run_.begin];
 
-        Index* end = find_close(real, real.first_from(p + 1), run_last_, position, reach, begin);
+        Index* end = find_close(awake, awake.first_from(p + 1), run_last_, position, reach, begin);
         end = drop_unseen(input_, p, begin, end);
-        batches.inside = batch_count(end - begin);
-        for (Index* other = begin; other < end; ++other) scratch_.inside.push_back(*other - run_.begin);
-        while (scratch_.inside.size() % lane_count != 0) scratch_.inside.push_back(p - run_.begin);
+        batches.inside = list_inside(p - run_.begin, {begin, end});
 
-        end = find_close(real, 0, run_first_, position, reach, begin);
-        end = find_close(real, run_last_, real.size(), position, reach, end);
-        end = find_close(scratch_.images, 0, scratch_.images.size(), position, reach, end);
+        end = find_close(awake, 0, run_first_, position, reach, begin);
+        end = find_close(awake, run_last_, awake.size(), position, reach, end);
+        end = find_close(scratch_.others, 0, scratch_.others.size(), position, reach, end);
         end = drop_unseen(input_, p, begin, end);
         batches.outside = batch_count(end - begin);
         for (Index* other = begin; other < end; ++other) {
@@ -232,6 +264,21 @@ private:
         while (scratch_.outside.size() % lane_count != 0) {
             scratch_.outside.push_back(scratch_.halo.number_of(p));
         }
+    }
+
+    /// Lists pairs with particles that come later in the run, and those that earlier ones have handed over.
+    /// What does not fill a batch is handed on: lists without filling save a sixteenth of all pairs.
+    std::uint16_t list_inside(Index own, std::span<const Index> later)
+    {
+        std::vector<std::uint16_t>& inside = scratch_.inside;
+        const std::size_t start = inside.size();
+        scratch_.handed_over.for_each(own, [&](Index from) { inside.push_back(from); });
+        const std::size_t all = inside.size() - start + later.size();
+        const std::size_t left_over = std::min(all % lane_count, later.size());
+        for (Index other : later.first(later.size() - left_over)) inside.push_back(other - run_.begin);
+        for (Index other : later.last(left_over)) scratch_.handed_over.add(other - run_.begin, own);
+        while (inside.size() % lane_count != 0) inside.push_back(own);
+        return batch_count(static_cast<std::ptrdiff_t>(inside.size() - start));
     }
 
     static std::uint16_t batch_count(std::ptrdiff_t neighbours)
@@ -277,7 +324,7 @@ void build_halves(const ParticleCells& cells, const SearchInput& input, const Ne
 void build_neighbours(const ParticleCells& cells, const SearchInput& input, std::vector<NeighbourRun>& runs,
                       std::size_t largest_halo)
 {
-    cut_runs(static_cast<Index>(input.motion.size()), runs);
+    cut_runs(static_cast<Index>(input.real_count()), runs);
     const auto count = static_cast<std::ptrdiff_t>(runs.size());
     std::vector<char> fits(runs.size());
 #pragma omp parallel if (count > 1)

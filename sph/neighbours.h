@@ -12,13 +12,17 @@
 
 namespace plash {
 
-/// What the search needs to know of particles, by sorted place.
+/// What the search needs to know of particles and their images, by sorted place: all particles first. Images
+/// are listed as neighbours, but have none of their own.
 struct SearchInput {
-    std::span<const MotionRecord> motion; ///< positions [length]
-    std::span<const double> reach; ///< half of the distance below which equal particles are listed [length]
-    /// By sorted place: 1 for a mirror or periodic image. Images are listed as neighbours, but have none of
-    /// their own.
-    std::span<const std::uint8_t> image;
+    std::span<const MotionRecord> motion; ///< positions and smoothing lengths [length]
+    std::span<const float> skin;          ///< added to the radius of the kernel [length]
+    double support = 1;                   ///< radius of the kernel over smoothing length
+    std::span<const std::uint8_t> asleep; ///< of particles alone; 1: no neighbours of its own, as an image
+
+    std::size_t real_count() const { return asleep.size(); }
+    /// Half of the distance below which equal particles are listed [length].
+    double reach(Index p) const { return 0.5 * (support * motion[p].smoothing + skin[p]); }
     /// Groups of particles and who sees whom: particles a and b are neighbours when bit group[b] of
     /// sees[group[a]] is set. Empty: all see all.
     std::span<const std::uint8_t> group;
@@ -26,9 +30,9 @@ struct SearchInput {
 };
 
 /// Neighbours of a run of consecutive sorted particles [begin, end). A pair with both particles in the run
-/// and neither an image stands once, with the one that comes first ("inside"): the pair loop adds to both
-/// sides. Any other pair stands with each of its real particles ("outside"). So a run is worked on by one
-/// thread without touching what others write, in an order that depends on the positions alone.
+/// and neither asleep stands once, with one of the two ("inside"): the pair loop adds to both
+/// sides. Any other pair stands with each of its particles that are awake ("outside"). So a run is worked on
+/// by one thread without touching what others write, in an order that depends on the positions alone.
 ///
 /// Lists go in batches of lane_count; the last batch is filled up with the particle itself, which exerts
 /// nothing on itself. All places are 16 bits wide: lists are most of what a particle costs in memory.

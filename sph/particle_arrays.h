@@ -21,15 +21,21 @@ inline Vector3<float> narrow(const Vec3& a)
     return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }
 
-/// What a body of particles carries from step to step, by sorted place. The places of images (mirror and
-/// periodic copies) hold only `motion` and `push`, copied from their originals each step.
+/// What a body of particles carries from step to step, by sorted place. Behind the particles stand their
+/// images (mirror and periodic copies), in those arrays alone that pair loops read of neighbours; they are
+/// copied from their originals each step.
 struct ParticleArrays {
+    // Of particles and images.
     std::vector<MotionRecord> motion;
     std::vector<PushRecord> push;
-    std::vector<Index> particle;      ///< number in the order of creation; image k is number (real count) + k
-    std::vector<Index> node;          ///< index in the State; none for images
-    std::vector<std::uint8_t> part;   ///< part of the body, not of the Model
-    std::vector<std::uint8_t> image;  ///< an ImageKind; 0: none
+    std::vector<std::uint8_t> part;     ///< part of the body, not of the Model
+    std::vector<std::uint8_t> image;    ///< an ImageKind; 0: none
+    std::vector<double> laminar;        ///< viscosity along differences of velocity, scaled; empty without
+    std::vector<float> skin;            ///< what it may move before the next search, twice [length]
+    std::vector<TensionRecord> tension; ///< only of bodies whose push is a tensor
+
+    std::vector<Index> particle;      ///< number in the order of creation
+    std::vector<Index> node;          ///< index in the State
     std::vector<std::uint8_t> asleep; ///< 1: outside of the active regions
     std::vector<double> own_mass;     ///< where weights are volumes, see mass() [mass]
     std::vector<double> density;      ///< [mass/volume]
@@ -39,25 +45,23 @@ struct ParticleArrays {
     std::vector<double> energy;       ///< internal energy by initial volume [energy/volume]
     std::vector<Vector3<float>> viscous_force; ///< share of viscosity in the last force [force]
     std::vector<float> heat;                   ///< its heating power [energy/time]
-    std::vector<double> laminar; ///< viscosity along differences of velocity, scaled; empty without
-    std::vector<Vec3> drift;     ///< of the particles against their velocity; empty without [velocity]
+    std::vector<Vec3> drift; ///< of the particles against their velocity; empty without [velocity]
 
     // Only of bodies whose push is a tensor.
-    std::vector<TensionRecord> tension;
     std::vector<Tensor3<double>> gradient;           ///< of the velocity, corrected where asked for [1/time]
     std::vector<SymmetricTensor<double>> correction; ///< of kernel gradients [-]
     std::vector<SymmetricTensor<double>> stress;     ///< Cauchy, global axes; of solids [stress]
     std::vector<double> history;                     ///< `history_size` variables of the law a particle
     int history_size = 0;
 
-    std::vector<float> skin;                    ///< what it may move before the next search, twice [length]
     Vec3 build_origin;                          ///< that build_position counts from [length]
     double build_rounding = 0;                  ///< the largest error of build_position [length]
     std::vector<Vector3<float>> build_position; ///< at the last neighbour search [length]
     std::vector<float> build_smoothing;
 
     double mass(std::size_t place) const { return own_mass.empty() ? motion[place].weight : own_mass[place]; }
-    Index size() const { return static_cast<Index>(motion.size()); }
+    Index size() const { return static_cast<Index>(motion.size()); }     ///< with the images
+    Index real_count() const { return static_cast<Index>(node.size()); } ///< without them
 
     /// Keeps where everybody stands: as offsets from the middle, in single precision.
     void remember_build();

@@ -1,6 +1,7 @@
 #include "sph/particle_body.h"
 
 #include "core/parallel.h"
+#include "core/release.h"
 #include "core/run_error.h"
 #include "sph/pair_passes.h"
 
@@ -12,15 +13,13 @@ namespace plash {
 
 namespace {
 
-/// values[new place] = values[old place]; images, which have no old place, start from nothing.
+/// values[new place] = values[old place], with room for images behind, which start from nothing.
 template <class Values>
-void permute(Values& values, const std::vector<Index>& old_place)
+void permute(Values& values, const std::vector<Index>& old_place, std::size_t images = 0)
 {
-    Values moved(old_place.size());
+    Values moved(old_place.size() + images);
     for_chunks(old_place.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t p = begin; p < end; ++p) {
-            if (old_place[p] != none) moved[p] = values[old_place[p]];
-        }
+        for (std::size_t p = begin; p < end; ++p) moved[p] = values[old_place[p]];
     });
     values = std::move(moved);
 }
@@ -31,7 +30,6 @@ void permute_rows(std::vector<double>& values, int width, const std::vector<Inde
     std::vector<double> moved(old_place.size() * width);
     for_chunks(old_place.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-            if (old_place[p] == none) continue;
             const double* row = values.data() + static_cast<std::size_t>(old_place[p]) * width;
             std::copy(row, row + width, moved.data() + p * width);
         }
@@ -114,7 +112,7 @@ void ParticleBody::create(const State& state)
             part.law->start_history(&*a.history.end() - a.history_size);
         }
     }
-    for (ParticlePart& part : parts_) part.mass = {}; // from here on they stand in the arrays
+    for (ParticlePart& part : parts_) release(part.mass); // from here on they stand in the arrays
     if (tensor_) {
         a.tension.resize(real_count_);
         a.gradient.resize(real_count_);
@@ -164,9 +162,7 @@ void ParticleBody::sum_rates(const Clock& clock)
         return;
     }
     const auto take = [&](const NeighbourRun& run, const GradientSums* sums) {
-        for (Index i = 0; i < run.length(); ++i) {
-            if (!arrays_.image[run.begin + i]) take_gradient(run.begin + i, sums[i]);
-        }
+        for (Index i = 0; i < run.length(); ++i) take_gradient(run.begin + i, sums[i]);
     };
     sum_velocity_gradients(options_.kernel, options_.dimension, 0.5 * step, runs_, arrays_, take);
 }
@@ -198,13 +194,12 @@ void ParticleBody::read_motion(const Clock& clock, const State& state)
 {
     ParticleArrays& a = arrays_;
     const double half_step = 0.5 * clock.last_step;
-    for_chunks(a.motion.size(), [&](std::size_t begin, std::size_t end) {
+    for_chunks(real_count_, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-            if (p + prefetch_distance < end && !a.image[p + prefetch_distance]) {
+            if (p + prefetch_distance < end) {
                 __builtin_prefetch(&state.position[a.node[p + prefetch_distance]]);
                 __builtin_prefetch(&state.velocity[a.node[p + prefetch_distance]]);
             }
-            if (a.image[p]) continue;
             MotionRecord& motion = a.motion[p];
             const Vec3& velocity = state.velocity[a.node[p]];
             const double heat = a.heat[p] - dot(wide(a.viscous_force[p]), velocity - motion.velocity);
@@ -223,24 +218,23 @@ void ParticleBody::search(State& state)
 {
     ParticleArrays& a = arrays_;
     std::vector<Index> number = dismiss_leaving(state);
-    runs_ = {}; // makes room for what sorting needs
+    release(runs_); // makes room for what sorting needs
+    give_gaps_back();
     images_.follow(state, model_.nodes.position);
     followed_.clear();
     for (const PeriodicPair& pair : images_.periods()) {
         followed_.push_back(pair.node == none ? Vec3{} : state.position[pair.node]);
     }
     set_skins();
-    double largest = 0;
-    for (std::size_t p = 0; p < a.motion.size(); ++p) {
-        if (!a.image[p]) largest = std::max(largest, support_ * a.motion[p].smoothing + a.skin[p]);
+    double range = 0;
+    for (Index p = 0; p < a.real_count(); ++p) {
+        range = std::max(range, support_ * a.motion[p].smoothing + a.skin[p]);
     }
-    const double range = largest;
-
     std::vector<Index> place_of(real_count_);
     std::vector<Vec3> position(real_count_);
-    for_chunks(a.motion.size(), [&](std::size_t begin, std::size_t end) {
+    for_chunks(a.real_count(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-            if (a.image[p] || number[a.particle[p]] == none) continue;
+            if (number[a.particle[p]] == none) continue;
             if (images_.wrap(a.motion[p].position)) state.position[a.node[p]] = a.motion[p].position;
             place_of[number[a.particle[p]]] = static_cast<Index>(p);
             position[number[a.particle[p]]] = a.motion[p].position;
@@ -248,20 +242,19 @@ void ParticleBody::search(State& state)
     });
     if (images_.any()) images_.find(range, position);
     ParticleCells cells;
-    cells.sort(position, range);
-    position = {};
-    number = {};
+    cells.sort(position, range, real_count_);
+    release(position);
+    release(number);
 
     const std::vector<Index>& order = cells.order();
-    std::vector<Index> old_place(order.size());
-    for (std::size_t p = 0; p < order.size(); ++p) {
-        old_place[p] = order[p] < static_cast<Index>(real_count_) ? place_of[order[p]] : none;
-    }
-    place_of = {};
-    permute(a.motion, old_place);
-    permute(a.push, old_place);
+    const std::size_t images = images_.size();
+    std::vector<Index> old_place(real_count_);
+    for (std::size_t p = 0; p < real_count_; ++p) old_place[p] = place_of[order[p]];
+    release(place_of);
+    permute(a.motion, old_place, images);
+    permute(a.push, old_place, images);
     permute(a.node, old_place);
-    permute(a.part, old_place);
+    permute(a.part, old_place, images);
     permute(a.asleep, old_place);
     if (!a.own_mass.empty()) permute(a.own_mass, old_place);
     permute(a.density, old_place);
@@ -270,21 +263,22 @@ void ParticleBody::search(State& state)
     permute(a.energy, old_place);
     permute(a.viscous_force, old_place);
     permute(a.heat, old_place);
-    permute(a.skin, old_place);
-    if (!a.laminar.empty()) permute(a.laminar, old_place);
+    permute(a.skin, old_place, images);
+    if (!a.laminar.empty()) permute(a.laminar, old_place, images);
     if (tensor_) {
-        permute(a.tension, old_place);
+        permute(a.tension, old_place, images);
         permute(a.gradient, old_place);
         permute(a.correction, old_place);
         permute(a.stress, old_place);
         permute_rows(a.history, a.history_size, old_place);
     }
-    a.particle = order;
-    a.image.resize(order.size());
-    for (std::size_t p = 0; p < order.size(); ++p) a.image[p] = old_place[p] == none;
+    release(old_place);
+    a.particle = std::vector<Index>(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(real_count_));
+    a.image.assign(order.size(), no_image);
     put_to_sleep(state);
-    images_.settle(a);
+    images_.settle(order, a);
     images_.refresh_all(a);
+    give_gaps_back(); // every array has a new place
     list_neighbours(cells);
 }
 
@@ -310,7 +304,6 @@ void ParticleBody::take_forces(const NeighbourRun& run, const ForceSums* sums, d
     ParticleArrays& a = arrays_;
     for (Index i = 0; i < run.length(); ++i) {
         const Index p = run.begin + i;
-        if (a.image[p]) continue;
         const double weight = a.motion[p].weight;
         const double heat = weight * sums[i].heat;
         a.viscous_force[p] = narrow(wide(a.viscous_force[p]) + weight * sums[i].viscous_force);
@@ -339,7 +332,7 @@ void ParticleBody::after_motion(const Clock& clock, State& state)
     if (!arrays_.drift.empty()) {
         for_chunks(arrays_.drift.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t p = begin; p < end; ++p) {
-                if (!arrays_.image[p]) state.position[arrays_.node[p]] += clock.step * arrays_.drift[p];
+                state.position[arrays_.node[p]] += clock.step * arrays_.drift[p];
             }
         });
     }

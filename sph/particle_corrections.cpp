@@ -32,7 +32,7 @@ Vec3 ParticleBody::gravity(double time) const
 DensityDiffusion ParticleBody::density_diffusion(const Clock& clock)
 {
     if (!(options_.density_diffusion > 0)) return {};
-    arrays_.diffusion.resize(arrays_.motion.size());
+    arrays_.diffusion.resize(real_count_);
     return {options_.density_diffusion, gravity(clock.time),  arrays_.push.data(),
             arrays_.part.data(),        arrays_.image.data(), options_.volume_weighted};
 }
@@ -46,7 +46,7 @@ void ParticleBody::filter_densities()
         filtered_densities(options_.kernel, options_.dimension, options_.volume_weighted, runs_, a);
     for_chunks(density.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-            if (!a.image[p] && !parts_[a.part[p]].law->has_strength()) a.density[p] = density[p];
+            if (!parts_[a.part[p]].law->has_strength()) a.density[p] = density[p];
         }
     });
 }
@@ -76,10 +76,9 @@ double ParticleBody::power_of_walls() const
         std::any_of(options_.mirrors.begin(), options_.mirrors.end(),
                     [](const MirrorPlane& wall) { return wall.no_slip && norm(wall.velocity) > 0; });
     if (!sliding) return 0;
-    return sum_chunks(arrays_.motion.size(), [&](std::size_t begin, std::size_t end) {
+    return sum_chunks(real_count_, [&](std::size_t begin, std::size_t end) {
         double power = 0;
         for (std::size_t p = begin; p < end; ++p) {
-            if (arrays_.image[p]) continue;
             power += dot(wide(arrays_.viscous_force[p]), arrays_.motion[p].velocity) + arrays_.heat[p];
         }
         return power;
@@ -92,7 +91,7 @@ double ParticleBody::power_of_walls() const
 void ParticleBody::find_drifts(const State& state)
 {
     ParticleArrays& a = arrays_;
-    a.drift.assign(a.motion.size(), {});
+    a.drift.assign(real_count_, {});
     Vec3 momentum{};
     double mass = 0, fastest = 0;
     for (const ParticlePart& part : parts_)
@@ -108,7 +107,6 @@ void ParticleBody::find_drifts(const State& state)
     const auto take = [&](const NeighbourRun& run, const DriftSums* sums) {
         for (Index i = 0; i < run.length(); ++i) {
             const Index p = run.begin + i;
-            if (a.image[p]) continue;
             Vec3 drift = options_.velocity_blend * sums[i].smoothed;
             if (options_.shifting > 0 && sums[i].spread > inside) {
                 Vec3 shift = (-2 * options_.shifting * a.motion[p].smoothing * fastest) * sums[i].crowding;
@@ -135,10 +133,10 @@ void ParticleBody::calm_wake(const Clock& clock, State& state)
         const double since_search = dot(state.position[pair.node] - followed_[index], along);
         now.lower += since_search * along;
         const CalmZone zone(now, moved);
-        damped_energy_ += sum_chunks(arrays_.motion.size(), [&](std::size_t begin, std::size_t end) {
+        damped_energy_ += sum_chunks(real_count_, [&](std::size_t begin, std::size_t end) {
             double taken = 0;
             for (std::size_t p = begin; p < end; ++p) {
-                if (!arrays_.image[p]) taken += calm_particle(zone, static_cast<Index>(p), clock.step, state);
+                taken += calm_particle(zone, static_cast<Index>(p), clock.step, state);
             }
             return taken;
         });

@@ -15,10 +15,10 @@ bool ParticleBody::leaves(Index place) const
 bool ParticleBody::anyone_leaves() const
 {
     if (!options_.box && options_.largest_speed == forever) return false;
-    return sum_chunks(arrays_.motion.size(), [&](std::size_t begin, std::size_t end) {
+    return sum_chunks(arrays_.real_count(), [&](std::size_t begin, std::size_t end) {
                double count = 0;
                for (std::size_t p = begin; p < end; ++p) {
-                   count += !arrays_.image[p] && leaves(static_cast<Index>(p));
+                   count += leaves(static_cast<Index>(p));
                }
                return count;
            }) > 0;
@@ -32,8 +32,8 @@ std::vector<Index> ParticleBody::dismiss_leaving(State& state)
     std::vector<Index> number(real_count_, 0);
     departed_.resize(parts_.size());
     const bool somebody = anyone_leaves();
-    for (Index p = 0; somebody && p < a.size(); ++p) {
-        if (a.image[p] || !leaves(p)) continue;
+    for (Index p = 0; somebody && p < a.real_count(); ++p) {
+        if (!leaves(p)) continue;
         number[a.particle[p]] = none;
         Departed& left = departed_[a.part[p]];
         ++left.count;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace plash {
 
@@ -17,19 +18,17 @@ constexpr double least_share = 0.3, largest_share = 2;
 
 /// Mean of value(place) over the particles, summed in chunks.
 template <class Value>
-Vec3 mean_of(const ParticleArrays& arrays, std::size_t real_count, Value&& value)
+Vec3 mean_of(std::size_t count, Value&& value)
 {
-    std::vector<Vec3> partial((arrays.motion.size() + chunk_length - 1) / chunk_length);
-    for_chunks(arrays.motion.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<Vec3> partial((count + chunk_length - 1) / chunk_length);
+    for_chunks(count, [&](std::size_t begin, std::size_t end) {
         Vec3 sum{};
-        for (std::size_t p = begin; p < end; ++p) {
-            if (!arrays.image[p]) sum += value(p);
-        }
+        for (std::size_t p = begin; p < end; ++p) sum += value(p);
         partial[begin / chunk_length] = sum;
     });
     Vec3 sum{};
     for (const Vec3& part : partial) sum += part;
-    return real_count > 0 ? (1 / static_cast<double>(real_count)) * sum : sum;
+    return count > 0 ? (1 / static_cast<double>(count)) * sum : sum;
 }
 
 } // namespace
@@ -65,10 +64,9 @@ void ParticleBody::set_skins()
 {
     ParticleArrays& a = arrays_;
     const Vec3 mean =
-        images_.any() ? Vec3{} : mean_of(a, real_count_, [&](std::size_t p) { return a.motion[p].velocity; });
+        images_.any() ? Vec3{} : mean_of(a.real_count(), [&](std::size_t p) { return a.motion[p].velocity; });
     double fastest = 0, largest = 0;
-    for (Index p = 0; p < a.size(); ++p) {
-        if (a.image[p]) continue;
+    for (Index p = 0; p < a.real_count(); ++p) {
         fastest = std::max(fastest, norm(a.motion[p].velocity - mean));
         largest = std::max(largest, a.motion[p].smoothing);
     }
@@ -76,9 +74,8 @@ void ParticleBody::set_skins()
     const double skin = skin_ * support_ * largest;
     least_skin_ = least_share * skin;
     const double time = fastest > 0 ? (largest_share - least_share) * skin / fastest : 0;
-    for_chunks(a.motion.size(), [&](std::size_t begin, std::size_t end) {
+    for_chunks(a.real_count(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-            if (a.image[p]) continue;
             a.skin[p] = static_cast<float>(least_skin_ + norm(a.motion[p].velocity - mean) * time);
         }
     });
@@ -87,16 +84,16 @@ void ParticleBody::set_skins()
 void ParticleArrays::remember_build()
 {
     Vec3 lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
-    for (const MotionRecord& particle : motion) {
+    for (const MotionRecord& particle : std::span(motion).first(real_count())) {
         const Vec3& p = particle.position;
         lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
         upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
     }
     build_origin = 0.5 * (lower + upper);
     build_rounding = 0.5 * norm(upper - lower) * std::numeric_limits<float>::epsilon();
-    build_position.resize(motion.size());
-    build_smoothing.resize(motion.size());
-    for (std::size_t p = 0; p < motion.size(); ++p) {
+    build_position.resize(node.size());
+    build_smoothing.resize(node.size());
+    for (std::size_t p = 0; p < node.size(); ++p) {
         build_position[p] = narrow(motion[p].position - build_origin);
         build_smoothing[p] = static_cast<float>(motion[p].smoothing);
     }
@@ -116,13 +113,12 @@ bool ParticleBody::lists_hold(const State& state) const
         if (norm(gone) > 10 * least_skin_) return false;
     }
     // Images mirror the motion, so what all particles have in common counts there.
-    const Vec3 common = images_.any() ? Vec3{} : mean_of(a, real_count_, [&](std::size_t p) {
+    const Vec3 common = images_.any() ? Vec3{} : mean_of(a.real_count(), [&](std::size_t p) {
         return a.motion[p].position - a.built_at(p);
     });
-    const double passed = sum_chunks(a.motion.size(), [&](std::size_t begin, std::size_t end) {
+    const double passed = sum_chunks(a.real_count(), [&](std::size_t begin, std::size_t end) {
         double count = 0;
         for (std::size_t p = begin; p < end; ++p) {
-            if (a.image[p]) continue;
             const double growth = std::max(0.0, a.motion[p].smoothing - (1 - 1e-7) * a.build_smoothing[p]);
             const double left = 0.5 * (a.skin[p] - support_ * growth) - a.build_rounding;
             const Vec3 moved = a.motion[p].position - a.built_at(p) - common;
@@ -138,17 +134,11 @@ void ParticleBody::list_neighbours(const ParticleCells& cells)
     ParticleArrays& a = arrays_;
     a.remember_build();
     images_.copy_skins(a);
-    std::vector<double> reach(a.motion.size());
-    for (std::size_t p = 0; p < a.motion.size(); ++p) {
-        reach[p] = 0.5 * (support_ * a.motion[p].smoothing + a.skin[p]);
-    }
     std::vector<std::uint64_t> sees;
     if (!options_.parts_interact) {
         for (std::size_t part = 0; part < parts_.size(); ++part) sees.push_back(1ULL << part);
     }
-    std::vector<std::uint8_t> listless = a.image; // neighbours of others without neighbours of their own
-    for (std::size_t p = 0; p < listless.size(); ++p) listless[p] |= a.asleep[p];
-    build_neighbours(cells, {a.motion, reach, listless, a.part, sees}, runs_);
+    build_neighbours(cells, {a.motion, a.skin, support_, a.asleep, a.part, sees}, runs_);
     ++searches_;
 }
 

@@ -28,7 +28,7 @@ double strain_of(const ParticlePart& part, const ParticleArrays& arrays, Index p
 std::vector<int> ParticleBody::count_neighbours() const
 {
     const auto& motion = arrays_.motion;
-    std::vector<int> count(motion.size());
+    std::vector<int> count(arrays_.real_count());
     const auto touches = [&](Index a, Index b) {
         const Vec3 apart = motion[a].position - motion[b].position;
         const double reach = 0.5 * support_ * (motion[a].smoothing + motion[b].smoothing);
@@ -56,7 +56,7 @@ std::vector<int> ParticleBody::count_neighbours() const
 double ParticleBody::mean_neighbours() const
 {
     const std::vector<int> count = count_neighbours();
-    const double all = std::accumulate(count.begin(), count.end(), 0.0); // images have none of their own
+    const double all = std::accumulate(count.begin(), count.end(), 0.0);
     return real_count_ > 0 ? all / static_cast<double>(real_count_) : 0;
 }
 
@@ -86,8 +86,8 @@ void ParticleBody::collect(const State& state, ElementResults& results) const
     for (const ParticlePart& part : parts_) {
         for (std::size_t i = 0; i < part.elements.size(); ++i) element_of[part.nodes[i]] = part.elements[i];
     }
-    for (Index p = 0; p < a.size(); ++p) {
-        if (a.image[p] || element_of[a.node[p]] == none) continue;
+    for (Index p = 0; p < a.real_count(); ++p) {
+        if (element_of[a.node[p]] == none) continue;
         const ParticlePart& part = parts_[a.part[p]];
         ElementResults::Particle& particle = results.particles[element_of[a.node[p]]];
         particle.smoothing = a.motion[p].smoothing;

@@ -25,12 +25,14 @@ void ParticleBody::put_to_sleep(State& state)
     ParticleArrays& a = arrays_;
     places_.assign(parts_.size(), {});
     sleepers_.assign(parts_.size(), {});
+    if (options_.regions.empty()) {
+        for (std::size_t i = 0; i < parts_.size(); ++i) places_[i].reserve(parts_[i].nodes.size());
+    }
     regions_at_.clear();
     for (const ActiveRegion& region : options_.regions) {
         regions_at_.push_back(region.travelled(state, model_.nodes.position));
     }
-    for (Index p = 0; p < a.size(); ++p) {
-        if (a.image[p]) continue;
+    for (Index p = 0; p < a.real_count(); ++p) {
         a.asleep[p] = !options_.regions.empty() && !is_awake(p);
         (a.asleep[p] ? sleepers_ : places_)[a.part[p]].push_back(p);
         if (!a.asleep[p]) continue;

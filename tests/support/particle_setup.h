@@ -79,6 +79,11 @@ struct ParticleWorld {
         part.model_part = static_cast<Index>(parts.size());
         part.id = part.model_part + 1;
         model.parts.emplace_back();
+        const std::size_t nodes = model.nodes.id.size() + positions.size(); // exact: memory is measured
+        model.nodes.id.reserve(nodes);
+        model.nodes.position.reserve(nodes);
+        part.nodes.reserve(positions.size());
+        part.mass.reserve(positions.size());
         for (const Vec3& position : positions) {
             part.nodes.push_back(static_cast<Index>(model.nodes.id.size()));
             part.mass.push_back(particle_mass);

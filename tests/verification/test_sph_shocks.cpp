@@ -46,9 +46,9 @@ TEST(SphShocks, SodTubeHasItsPlateaus)
     const auto mean = [&](double from, double to) {
         Mean m;
         const ParticleArrays& a = world.body->arrays();
-        for (Index p = 0; p < a.size(); ++p) {
+        for (Index p = 0; p < a.real_count(); ++p) {
             const double x = a.motion[p].position.x;
-            if (a.image[p] || x < from || x > to) continue;
+            if (x < from || x > to) continue;
             m.pressure += a.pressure[p];
             m.density += a.density[p];
             m.velocity += scene.state.velocity[a.node[p]].x;
@@ -128,10 +128,9 @@ struct Bird {
             if (clock.time < begin) return;
             const ParticleArrays& a = world.body->arrays();
             double sum = 0, count = 0;
-            for (Index p = 0; p < a.size(); ++p) {
+            for (Index p = 0; p < a.real_count(); ++p) {
                 const Vec3& x = a.motion[p].position;
-                if (a.image[p] || x.z > 2 * spacing || x.x * x.x + x.y * x.y > 0.06 * radius * radius)
-                    continue;
+                if (x.z > 2 * spacing || x.x * x.x + x.y * x.y > 0.06 * radius * radius) continue;
                 sum += a.pressure[p];
                 ++count;
             }
