@@ -12,6 +12,7 @@ void add_study(CLI::App& program, int& exit_code);
 void add_check(CLI::App& program, int& exit_code);
 void add_report(CLI::App& program, int& exit_code);
 void add_keywords(CLI::App& program, int& exit_code);
+void add_fill(CLI::App& program, int& exit_code);
 void add_picture(CLI::App& program, int& exit_code);
 
 } // namespace plash

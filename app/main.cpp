@@ -53,6 +53,7 @@ int main(int argument_count, char** arguments)
     plash::add_study(program, exit_code);
     plash::add_report(program, exit_code);
     plash::add_keywords(program, exit_code);
+    plash::add_fill(program, exit_code);
     plash::add_picture(program, exit_code);
 
     std::vector<std::string> words(arguments + 1, arguments + argument_count);

@@ -46,8 +46,7 @@ private:
         const Lanes stiffness = eos_.evaluate(compression).stiffness(compression, end.pressure, end.energy);
         const Lanes floor = broadcast<Lanes>(1e-6 * eos_.bulk_modulus);
         const Lanes sound = sqrt(max(stiffness, floor) * (1 / part.density));
-        const Lanes h = smoothing_length(part, compression,
-                                         gather(places, [&](Index p) { return arrays.motion[p].smoothing; }));
+        const Lanes h = smoothing_length(part, places, compression, arrays);
         const Lanes stable =
             stable_step(part, h, sound, part.volume_weighted ? rate : rate * inverse_density);
 

@@ -31,16 +31,20 @@ ParticleVote for_batches(std::span<const Index> places, Work&& work)
 
 /// Smoothing length that keeps the mass in a kernel, h^d density = const, within its bounds: the solution of
 /// dh/dt = h div(v) / d. Newton's iteration from the last value, which is close.
-inline Lanes smoothing_length(const PartConstants& part, Lanes compression, Lanes last)
+inline Lanes smoothing_length(const PartConstants& part, std::span<const Index> places, Lanes compression,
+                              const ParticleArrays& arrays)
 {
-    const double reference = part.dimension == 2 ? part.smoothing * part.smoothing
-                                                 : part.smoothing * part.smoothing * part.smoothing;
-    const Lanes kept = reference / compression;
-    Lanes h = last;
+    const Lanes size = part.smoothing_mass == 0
+                           ? broadcast<Lanes>(1.0)
+                           : gather(places, [&](Index p) { return part.size_of(arrays.mass(p)); });
+    const Lanes reference = part.smoothing * size;
+    const Lanes kept =
+        (part.dimension == 2 ? reference * reference : reference * reference * reference) / compression;
+    Lanes h = gather(places, [&](Index p) { return arrays.motion[p].smoothing; });
     for (int i = 0; i < 3; ++i) {
         h = part.dimension == 2 ? 0.5 * (h + kept / h) : (1.0 / 3.0) * (2.0 * h + kept / (h * h));
     }
-    return max(broadcast<Lanes>(part.smallest_smoothing), min(broadcast<Lanes>(part.largest_smoothing), h));
+    return max(part.smallest_smoothing * size, min(part.largest_smoothing * size, h));
 }
 
 /// Density after a step; `change` is that of the density, or of its logarithm where `logarithmic`. A step may

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace plash {
 
@@ -58,6 +59,22 @@ void set_smoothing(const Record& section, const std::vector<Vec3>& positions, Pa
     if (constants.smallest_smoothing > constants.largest_smoothing) {
         reject_field(section, "HMIN", "the smallest smoothing length is above the largest one, HMAX");
     }
+}
+
+/// The smoothing length of a particle of mean mass, which those of the others follow: CSLH times the edge of
+/// the cube, in the plane of the square, that a particle fills.
+void set_graded_smoothing(const Record& section, const std::vector<double>& mass, int dimension,
+                          PartConstants& constants)
+{
+    const double mean = std::accumulate(mass.begin(), mass.end(), 0.0) / static_cast<double>(mass.size());
+    const double volume = mean / constants.density, given = section.real("SPHINI");
+    const double edge = dimension == 2 ? std::sqrt(volume) : std::cbrt(volume);
+    const double smoothing = given > 0 ? given : value_or(section.real("CSLH"), 1.2) * edge;
+    const double ratio = smoothing / constants.smoothing;
+    constants.smoothing_mass = mean;
+    constants.smoothing = smoothing;
+    constants.smallest_smoothing *= ratio;
+    constants.largest_smoothing *= ratio;
 }
 
 ParticlePart make_part(const Model& model, Index index, const std::vector<Index>& elements)
@@ -227,6 +244,9 @@ std::vector<std::unique_ptr<ParticleBody>> make_particle_bodies(const Model& mod
         if (elements[part].empty()) continue;
         parts.push_back(make_part(model, static_cast<Index>(part), elements[part]));
         share(model, parts.back(), parts.size() == 1, options);
+        if (!options.graded) continue;
+        set_graded_smoothing(section_of(model, model.parts[part]), parts.back().mass, options.dimension,
+                             parts.back().constants);
     }
     turn_mirrors(parts, model, options);
     check_plane(parts, model, options);

@@ -100,8 +100,9 @@ void ParticleBody::create(const State& state)
         for (std::size_t i = 0; i < part.nodes.size(); ++i) {
             const Index node = part.nodes[i];
             a.particle.push_back(static_cast<Index>(a.motion.size()));
-            a.motion.push_back(
-                {state.position[node], part.constants.smoothing, state.velocity[node], part.mass[i]});
+            a.motion.push_back({state.position[node],
+                                part.constants.smoothing * part.constants.size_of(part.mass[i]),
+                                state.velocity[node], part.mass[i]});
             a.node.push_back(node);
             a.part.push_back(static_cast<std::uint8_t>(number));
             if (options_.volume_weighted) a.own_mass.push_back(part.mass[i]);

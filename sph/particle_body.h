@@ -41,6 +41,7 @@ struct ParticleOptions {
     double velocity_blend = 0;         ///< epsilon of XSPH, 0.5 as a rule [-]
     double shifting = 0;               ///< strength of particle shifting, 1 as a rule [-]
     double tensile_repulsion = 0;      ///< epsilon of Monaghan's artificial pressure, 0.2 as a rule [-]
+    bool graded = false;               ///< smoothing lengths by the masses of particles
     bool laminar_by_velocity = false;  ///< laminar viscosity of Morris et al., not of Monaghan & Cleary
     int filter_interval = 0;           ///< cycles between two density re-initialisations; 0: none
     std::vector<ActiveRegion> regions; ///< where particles are awake; none: everywhere

@@ -3,6 +3,7 @@
 #include "sph/pair_force.h"
 #include "sph/particle_arrays.h"
 
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -15,11 +16,21 @@ struct PartConstants {
     bool volume_weighted = false;      ///< weights of pairs are volumes (the fluid forms), not masses
     bool failed_carry_nothing = false; ///< IEROD = 1
     double smoothing = 0;              ///< h at the reference density [length]
-    double smallest_smoothing = 0;     ///< [length]
-    double largest_smoothing = 0;      ///< [length]
+    double smoothing_mass = 0; ///< of the particle that has this h, and its bounds; 0: all particles [mass]
+    double smallest_smoothing = 0; ///< [length]
+    double largest_smoothing = 0;  ///< [length]
     ArtificialViscosity viscosity;
     double laminar_viscosity = 0;     ///< dynamic [stress time]
     bool laminar_by_velocity = false; ///< it does not act along the line of pairs
+
+    /// How much larger than those of the part the smoothing length of a particle and its bounds are: all
+    /// particles carry as much mass in their kernels as their neighbours do.
+    double size_of(double mass) const
+    {
+        if (smoothing_mass == 0) return 1;
+        const double ratio = mass / smoothing_mass;
+        return dimension == 2 ? std::sqrt(ratio) : std::cbrt(ratio);
+    }
 };
 
 /// The shortest stable step of some particles and whose it is.

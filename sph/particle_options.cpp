@@ -130,6 +130,15 @@ void read_formulation(const Record& record, ParticleOptions& options)
                                  viscosity));
     }
     options.laminar_by_velocity = viscosity == 1;
+    const Id graded = record.integer("GRADED");
+    if (graded < 0 || graded > 1) {
+        reject_field(
+            record, "GRADED",
+            fmt::format("{} is neither 0 (one smoothing length for a part) nor 1 (by the mass of each "
+                        "particle)",
+                        graded));
+    }
+    options.graded = graded == 1;
     options.filter_interval = static_cast<int>(share("FILTER", 1e9));
     const double skin = share("SKIN", 1);
     if (skin > 0) options.skin = skin;

@@ -106,8 +106,7 @@ private:
         const Lanes energy =
             from(arrays.energy) + 0.5 * middle_volume * contract(stress_before + stress, increment);
         const Lanes sound = sqrt(wave_modulus_ / density);
-        const Lanes h = smoothing_length(part, compression,
-                                         gather(places, [&](Index p) { return arrays.motion[p].smoothing; }));
+        const Lanes h = smoothing_length(part, places, compression, arrays);
         const Lanes stable = stable_step(part, h, sound, -(gradient.xx + gradient.yy + gradient.zz));
 
         ParticleVote vote;

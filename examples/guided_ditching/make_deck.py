@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Writes the guided ditching of a flat panel (units: t, mm, s, N, MPa).
+"""Writes the guided ditching of a flat or curved panel (units: t, mm, s, N, MPa).
 
     python3 make_deck.py                     ditching.k with its moving basin and its panels, into this folder
     python3 make_deck.py --full              water_full.k: a tank as long as the run, to compare with
+    python3 make_deck.py --radius 1500       a convex panel (-1500: concave)
     python3 make_deck.py --spacing 25 ...    other sizes; see --help
 
 The tests that Siemann & Groenenboom model ('Modeling and validation of guided ditching tests using a coupled SPH-FE
@@ -29,6 +30,8 @@ def arguments():
     parser.add_argument("--pitch", type=float, default=6.0, help="[degree]")
     parser.add_argument("--speed", type=float, default=40e3, help="[mm/s]; the deck's parameter, and the full tank's length")
     parser.add_argument("--end", type=float, default=0.045, help="[s]")
+    parser.add_argument("--radius", type=float, default=math.inf,
+                        help="of the panel across its length; positive: convex, negative: concave [mm]")
     parser.add_argument("--full", action="store_true", help="the full tank instead of deck and basin")
     return parser.parse_args()
 
@@ -104,11 +107,19 @@ $ 2024-T3, assumed: yield and hardening modulus
 """)
 
 
+def height_across(y, radius):
+    """How far a curved panel stands above its lowest line, at y from the middle."""
+    def sagitta(y):
+        return 0.0 if math.isinf(radius) else abs(radius) - math.sqrt(radius * radius - y * y)
+
+    return sagitta(y) if radius > 0 else sagitta(HALF_WIDTH) - sagitta(y)
+
+
 def deck(args):
     c, s = math.cos(math.radians(args.pitch)), math.sin(math.radians(args.pitch))
     text = f"""*KEYWORD
 *TITLE
-Guided ditching, pitch {args.pitch:g} degrees
+Guided ditching, pitch {args.pitch:g} degrees{"" if math.isinf(args.radius) else f", radius {args.radius:g} mm"}
 $ units: t, mm, s, N, MPa; written by make_deck.py
 *PARAMETER
 $ speed along the tank and down [mm/s], end [s]; panel rigid, 15mm, 3mm, 08mm; water moving or full
@@ -196,7 +207,8 @@ $ Tait: gamma, k0 = rho c^2 / gamma
     for j in range(rows + 1):
         for i in range(columns + 1):
             numbers[i, j] = len(numbers) + 1
-            nodes += f"{numbers[i, j]},{c * CELL * i:.8g},{CELL * j:.8g},{7.5 + s * CELL * i:.8g}\n"
+            x, y, z = CELL * i, CELL * j, height_across(CELL * j, args.radius)  # before it is pitched
+            nodes += f"{numbers[i, j]},{c * x - s * z:.8g},{y:.8g},{7.5 + s * x + c * z:.8g}\n"
     for j in range(rows):
         for i in range(columns):
             part = FRAME if i < FRAME_CELLS or i >= columns - FRAME_CELLS or j >= rows - FRAME_CELLS else PANEL

@@ -113,9 +113,12 @@ def add_water(deck, spacing, basin):
                 deck.particles.append(deck.node((i + 0.5) * spacing, -(j + 0.5) * spacing, z))
 
 
-FLUID_CARD = """*PLASH_FLUID
+FLUID_CARD = """$ the cells of --fluid ale
+*PARAMETER
+RCELL     {:10.4g}
+*PLASH_FLUID
 $    fluid      size
-          {:10.4g}
+               &CELL
 """
 
 FORMULATION = """$ Wendland C2, density diffusion: docs/sph.md
@@ -160,7 +163,7 @@ $     hgen      rwen    slnten
 *CONTROL_SPH
 $     ncbs     boxid        dt      idim
          1         0     1e+20{2 if args.plane else 3:10d}
-{"" if args.plain else FORMULATION}{FLUID_CARD.format(args.cell) if args.cell else ""}*DATABASE_GLSTAT
+{"" if args.plain else FORMULATION}{FLUID_CARD.format(args.cell or args.spacing)}*DATABASE_GLSTAT
 $       dt
  1.000e-04
 *DATABASE_MATSUM

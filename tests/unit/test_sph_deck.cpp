@@ -81,6 +81,20 @@ TEST(SphDeck, HonoursSmoothingLengthsAndKernels)
     EXPECT_DOUBLE_EQ(body_of(make_scene(given)).arrays().motion[0].smoothing, 8.5);
 }
 
+TEST(SphDeck, GradedParticlesHaveSmoothingLengthsByTheirMasses)
+{
+    std::string deck = plate_deck("7", "*PLASH_SPH_FORMULATION\n0\n1\n");
+    const std::size_t mass = deck.find("103,1,1e-6");
+    ASSERT_NE(mass, std::string::npos);
+    deck.replace(mass, 10, "103,1,8e-6"); // twice as wide as the others
+    const Scene scene = make_scene(read(deck));
+    const ParticleArrays& a = body_of(scene).arrays();
+    for (Index p = 0; p < a.real_count(); ++p) {
+        EXPECT_NEAR(a.motion[p].smoothing, a.mass(p) > 2e-6 ? 24 : 12, 1e-12); // CSLH 1.2
+    }
+    EXPECT_NE(complaint(plate_deck("7", "*PLASH_SPH_FORMULATION\n0\n2\n")).find("GRADED"), std::string::npos);
+}
+
 TEST(SphDeck, MapsFormsAndBoundaries)
 {
     const auto options = [](const std::string& extra) {
