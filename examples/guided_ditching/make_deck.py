@@ -4,6 +4,8 @@
     python3 make_deck.py                     ditching.k with its moving basin and its panels, into this folder
     python3 make_deck.py --full              water_full.k: a tank as long as the run, to compare with
     python3 make_deck.py --radius 1500       a convex panel (-1500: concave)
+    python3 make_deck.py --graded 20 80      water_graded.k: particles of 20 mm near the panel, 80 mm far away;
+                                             prints the command that makes them
     python3 make_deck.py --spacing 25 ...    other sizes; see --help
 
 The tests that Siemann & Groenenboom model ('Modeling and validation of guided ditching tests using a coupled SPH-FE
@@ -33,6 +35,7 @@ def arguments():
     parser.add_argument("--radius", type=float, default=math.inf,
                         help="of the panel across its length; positive: convex, negative: concave [mm]")
     parser.add_argument("--full", action="store_true", help="the full tank instead of deck and basin")
+    parser.add_argument("--graded", type=float, nargs=2, metavar=("FINE", "COARSE"), help="spacings of a graded basin [mm]")
     return parser.parse_args()
 
 
@@ -41,10 +44,9 @@ def write(name, text):
         file.write(text)
 
 
-def water(name, spacing, begin, end, moving):
-    counts = [round((end - begin) / spacing), round(WIDTH / spacing), round(DEPTH / spacing)]
-    text = f"""$ {counts[0] * counts[1] * counts[2]} particles
-*BOUNDARY_SPH_SYMMETRY_PLANE
+def walls(spacing, begin, end, moving, graded):
+    """Walls and planes of a basin, and what the deck wants to know of its particles."""
+    text = f"""*BOUNDARY_SPH_SYMMETRY_PLANE
 $ middle, side, floor
          0         0         0         0         1         0
          0{WIDTH:10.4g}         0         0         0         0
@@ -64,7 +66,12 @@ $     vid1      vid2       nid      calm
 {begin:10.4g}         0         0         0         0         0
 {end:10.4g}         0         0         0         0         0
 """
-    text += f"*PARAMETER\nR  SPACING{spacing:10.4g}\n*NODE\n"
+    return text + f"*PARAMETER\nR  SPACING{spacing:10.4g}I   GRADED{graded:10d}\n"
+
+
+def water(name, spacing, begin, end, moving):
+    counts = [round((end - begin) / spacing), round(WIDTH / spacing), round(DEPTH / spacing)]
+    text = f"$ {counts[0] * counts[1] * counts[2]} particles\n" + walls(spacing, begin, end, moving, 0) + "*NODE\n"
     number, particles, mass = 20001, "*ELEMENT_SPH\n", DENSITY * spacing ** 3
     for i in range(counts[0]):
         for j in range(counts[1]):
@@ -74,6 +81,15 @@ $     vid1      vid2       nid      calm
                 number += 1
     write(name, text + particles)
     return counts[0] * counts[1] * counts[2]
+
+
+def graded_water(fine, coarse):
+    """The moving basin with particles that plash fill makes, alike along the run: the basin comes in again as it leaves."""
+    write("water_graded.k", walls(fine, -BEHIND, AHEAD, True, 1) + "*INCLUDE\nparticles_graded.k\n")
+    box = f"{-BEHIND:g} 0 {-DEPTH:g} {AHEAD:g} {WIDTH:g} 0"
+    fine_box = f"{-BEHIND:g} 0 {-3 * fine:g} {AHEAD:g} {HALF_WIDTH + 3 * fine:g} 0"
+    print(f"plash fill particles_graded.k --box {box} --fine-box {fine_box} --fine {fine:g} --coarse {coarse:g} "
+          f"--density {DENSITY:g} --part {WATER} --first-node 20001")
 
 
 def panels():
@@ -122,7 +138,7 @@ def deck(args):
 Guided ditching, pitch {args.pitch:g} degrees{"" if math.isinf(args.radius) else f", radius {args.radius:g} mm"}
 $ units: t, mm, s, N, MPa; written by make_deck.py
 *PARAMETER
-$ speed along the tank and down [mm/s], end [s]; panel rigid, 15mm, 3mm, 08mm; water moving or full
+$ speed along the tank and down [mm/s], end [s]; panel rigid, 15mm, 3mm, 08mm; water moving, full or graded
 R    SPEED{args.speed:10.4g}R     SINK    1500.0R      END{args.end:10.4g}
 C    PANEL     rigidC    WATER    moving
 *PARAMETER_EXPRESSION
@@ -141,6 +157,8 @@ water_&WATER.k
 *PLASH_SPH_FORMULATION
 $   kernel     delta
          4       0.1
+$   graded
+   &GRADED
 *DATABASE_GLSTAT
     &EVERY
 *DATABASE_MATSUM
@@ -231,7 +249,9 @@ $ Tait: gamma, k0 = rho c^2 / gamma
 
 def main():
     args = arguments()
-    if args.full:
+    if args.graded:
+        graded_water(*args.graded)
+    elif args.full:
         print(water("water_full.k", args.spacing, -BEHIND, -BEHIND + args.spacing * round(
             (BEHIND + AHEAD + args.speed * args.end) / args.spacing), False), "particles")
     else:

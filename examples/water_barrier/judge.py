@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Judges runs of the water-filled barrier: python3 judge.py barrier|drop DIRECTORY..."""
+"""Judges runs of the water-filled barrier, with water of that many layers: judge.py barrier|drop DIRECTORY... [--layers 6]"""
+import argparse
 import math
 import os
 import sys
@@ -71,7 +72,7 @@ def leaks(folder, name, fill, layers):
     return f"{outside(place, shells)} of {water} particles outside the tank" if water else "no water"
 
 
-def barrier(folder, layers=6):
+def barrier(folder, layers):
     parts = curves.parts(folder)
     first = parts[deck.BLOCK][0][2]
     shares = {part: 100 * (rows[-1][1] + rows[-1][2]) / first for part, rows in parts.items()}
@@ -91,7 +92,7 @@ def barrier(folder, layers=6):
           f"  {leaks(folder, 'barrier.k', fill_of(folder, 50), layers)}\n  {curves.cost(folder)}")
 
 
-def drop(folder):
+def drop(folder, layers):
     parts = curves.parts(folder)
     print(folder)
     for part, name in ((deck.TANK, "tank"), (deck.WATER, "water")):
@@ -101,15 +102,18 @@ def drop(folder):
     momentum = [(row[0], sum(parts[p][i][5] for p in (deck.TANK, deck.WATER)))
                 for i, row in enumerate(parts[deck.TANK])]
     print(f"  momentum {momentum[0][1]:.1f} to {momentum[-1][1]:.1f} N s\n"
-          f"  {leaks(folder, 'tank_drop.k', 80, 8)}\n  {curves.cost(folder)}")
+          f"  {leaks(folder, 'tank_drop.k', 80, layers)}\n  {curves.cost(folder)}")
 
 
 def main():
-    cases = {"barrier": barrier, "drop": drop}
-    if len(sys.argv) < 3 or sys.argv[1] not in cases:
-        sys.exit(__doc__)
-    for folder in sys.argv[2:]:
-        cases[sys.argv[1]](folder)
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("case", choices=("barrier", "drop"))
+    parser.add_argument("folders", nargs="+", metavar="DIRECTORY")
+    parser.add_argument("--layers", type=int, help="of the run's water at full height (default: 6, of the drop 8)")
+    args = parser.parse_args()
+    judge, layers = {"barrier": (barrier, 6), "drop": (drop, 8)}[args.case]
+    for folder in args.folders:
+        judge(folder, args.layers or layers)
 
 
 if __name__ == "__main__":
