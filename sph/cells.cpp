@@ -14,6 +14,8 @@ namespace {
 
 constexpr int bits_per_axis = 21;
 constexpr std::uint64_t coordinate_limit = (1ULL << bits_per_axis) - 1;
+/// Particles are sorted by pieces of a cell, a quarter of its edge wide.
+constexpr int piece_bits = 2;
 
 /// Bits of x at every third place.
 std::uint64_t spread(std::uint64_t x)
@@ -116,22 +118,25 @@ void sort_by_key(std::vector<std::uint64_t>& key, std::vector<Index>& value, int
 void ParticleCells::sort(std::span<const Vec3> position, double side, std::size_t real_count)
 {
     const Bounds bounds = bounds_of(position);
-    const double per_cell = 1 / side;
+    const double per_piece = (1 << piece_bits) / side;
     const auto keys_of = [&](std::size_t first, std::size_t last) {
         std::vector<std::uint64_t> key(last - first);
         for_chunks(key.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 // One empty cell below the lowest coordinate, so that every cell has neighbours to ask for.
                 const Vec3 distance = position[first + i] - bounds.lower;
-                key[i] = morton(1 + coordinate(distance.x, per_cell) % coordinate_limit,
-                                1 + coordinate(distance.y, per_cell) % coordinate_limit,
-                                1 + coordinate(distance.z, per_cell) % coordinate_limit);
+                const auto piece = [&](double along) {
+                    constexpr std::uint64_t cell = 1 << piece_bits;
+                    return cell + coordinate(along, per_piece) % (coordinate_limit - cell + 1);
+                };
+                key[i] = morton(piece(distance.x), piece(distance.y), piece(distance.z));
             }
         });
         return key;
     };
     const Vec3 extent = bounds.upper - bounds.lower;
-    const std::uint64_t widest = 2 + coordinate(std::max({extent.x, extent.y, extent.z, 0.0}), per_cell);
+    const std::uint64_t widest =
+        (1 << piece_bits) + 1 + coordinate(std::max({extent.x, extent.y, extent.z, 0.0}), per_piece);
     const int bits = 3 * std::bit_width(widest);
 
     std::vector<std::uint64_t> key = keys_of(0, real_count), copy_key = keys_of(real_count, position.size());
@@ -150,13 +155,14 @@ void ParticleCells::sort(std::span<const Vec3> position, double side, std::size_
     fill_table();
 }
 
-/// All keys of both sorted lists, and where each of them begins in both.
+/// The cells of both sorted lists of keys, and where each of them begins in both.
 void ParticleCells::list_cells(const std::vector<std::uint64_t>& sorted_keys,
                                const std::vector<std::uint64_t>& sorted_copies)
 {
     key_.clear();
     first_.clear();
     first_copy_.clear();
+    const auto cell_of = [](std::uint64_t key) { return key >> (3 * piece_bits); };
     std::size_t i = 0, copy = 0;
     const auto end_cell = [&] {
         first_.push_back(static_cast<Index>(i));
@@ -165,11 +171,11 @@ void ParticleCells::list_cells(const std::vector<std::uint64_t>& sorted_keys,
     while (i < sorted_keys.size() || copy < sorted_copies.size()) {
         const bool of_copy =
             i == sorted_keys.size() || (copy < sorted_copies.size() && sorted_copies[copy] < sorted_keys[i]);
-        const std::uint64_t key = of_copy ? sorted_copies[copy] : sorted_keys[i];
+        const std::uint64_t key = cell_of(of_copy ? sorted_copies[copy] : sorted_keys[i]);
         key_.push_back(key);
         end_cell();
-        while (i < sorted_keys.size() && sorted_keys[i] == key) ++i;
-        while (copy < sorted_copies.size() && sorted_copies[copy] == key) ++copy;
+        while (i < sorted_keys.size() && cell_of(sorted_keys[i]) == key) ++i;
+        while (copy < sorted_copies.size() && cell_of(sorted_copies[copy]) == key) ++copy;
     }
     end_cell();
 }

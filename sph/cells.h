@@ -13,8 +13,8 @@ namespace plash {
 /// Particles, and mirror and periodic copies of them, sorted into cubic cells: all particles first, then all
 /// copies. Only cells that hold particles exist, so a splash that flies far costs
 /// nothing; cells follow a Morton curve, so that particles that are close in space are mostly close in
-/// memory. The order is a function of the positions alone: inside a cell particles keep the order in which
-/// they were given.
+/// memory; inside a cell, too. The order is a function of the positions alone: in the same sixty-fourth of a
+/// cell particles keep the order in which they were given.
 class ParticleCells {
 public:
     /// side        edge of a cell [length]

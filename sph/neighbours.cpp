@@ -30,6 +30,14 @@ struct Candidates {
         reach.push_back(input.reach(p));
         place.push_back(p);
     }
+    void add(const Candidates& other, std::size_t i)
+    {
+        x.push_back(other.x[i]);
+        y.push_back(other.y[i]);
+        z.push_back(other.z[i]);
+        reach.push_back(other.reach[i]);
+        place.push_back(other.place[i]);
+    }
     void make_room()
     {
         const std::size_t room = size() + lane_count;
@@ -117,7 +125,8 @@ private:
 
 /// What one thread works with.
 struct Scratch {
-    Candidates awake, others; ///< others: images, and who is asleep
+    Candidates awake, others;           ///< others: images, and who is asleep
+    Candidates cell_awake, cell_others; ///< the same of a whole cell, where these are of a part of it
     std::vector<Index> found;
     std::vector<std::uint16_t> inside;
     std::vector<std::uint16_t> outside;
@@ -174,6 +183,25 @@ Index* find_close(const Candidates& candidates, std::size_t first, std::size_t l
     return found;
 }
 
+/// Those of `all` whose reach, with `reach`, comes to a box.
+void take_near(const Candidates& all, const Vec3& lower, const Vec3& upper, double reach, Candidates& near)
+{
+    const auto beyond = [](const double* x, double low, double high) {
+        const Lanes at = load(x);
+        return max(max(low - at, at - high), Lanes{});
+    };
+    near.clear();
+    for (std::size_t c = 0; c < all.size(); c += lane_count) {
+        const Lanes x = beyond(&all.x[c], lower.x, upper.x), y = beyond(&all.y[c], lower.y, upper.y),
+                    z = beyond(&all.z[c], lower.z, upper.z);
+        const Lanes limit = load(&all.reach[c]) + reach;
+        unsigned bits = bits_of(x * x + y * y + z * z < limit * limit);
+        if (all.size() - c < lane_count) bits &= (1u << (all.size() - c)) - 1;
+        for (; bits != 0; bits &= bits - 1) near.add(all, c + std::countr_zero(bits));
+    }
+    near.make_room();
+}
+
 /// Takes the neighbours that p's group does not see out of [begin, end); returns the new end.
 Index* drop_unseen(const SearchInput& input, Index p, Index* begin, Index* end)
 {
@@ -198,12 +226,20 @@ public:
         scratch_.handed_over.clear(run_.length());
         for (Index cell = cells_.cell_of_place(run_.begin);
              cell < cells_.cell_count() && cells_.begin(cell) < run_.end; ++cell) {
-            if (cells_.begin(cell) == cells_.end(cell)) continue; // images alone
-            collect_candidates(cell);
             const Index first = std::max(run_.begin, cells_.begin(cell));
             const Index last = std::min(run_.end, cells_.end(cell));
-            for (Index p = first; p < last; ++p) {
-                if (!input_.asleep[p]) list(p);
+            if (first >= last) continue; // images alone
+            collect_candidates(cell);
+            if (scratch_.awake.size() + scratch_.others.size() <= many_candidates) {
+                list_all(first, last);
+                continue;
+            }
+            std::swap(scratch_.awake, scratch_.cell_awake);
+            std::swap(scratch_.others, scratch_.cell_others);
+            for (Index begin = first; begin < last; begin += group_length) {
+                const Index end = std::min(begin + group_length, last);
+                narrow_candidates(begin, end);
+                list_all(begin, end);
             }
         }
         // Exact sizes: the lists are most of what a particle costs in memory.
@@ -218,6 +254,10 @@ private:
     const SearchInput& input_;
     NeighbourRun& run_;
     Scratch& scratch_;
+    /// Cells as wide as the largest kernel hold many particles of small ones: then candidates are looked
+    /// through for groups of particles that stand side by side, and what is left for each of them.
+    static constexpr std::size_t many_candidates = 3000;
+    static constexpr Index group_length = 64;
     std::size_t run_first_ = 0, run_last_ = 0; ///< candidates awake that belong to the run
 
     void collect_candidates(Index cell)
@@ -234,11 +274,34 @@ private:
                 scratch_.others.add(input_, p);
             }
         }
-        run_first_ = scratch_.awake.first_from(run_.begin);
-        run_last_ = scratch_.awake.first_from(run_.end);
         scratch_.awake.make_room();
         scratch_.others.make_room();
+    }
+
+    /// The candidates of a cell that particles begin .. end - 1 may reach.
+    void narrow_candidates(Index begin, Index end)
+    {
+        Vec3 lower = input_.motion[begin].position, upper = lower;
+        double reach = 0;
+        for (Index p = begin; p < end; ++p) {
+            const Vec3& x = input_.motion[p].position;
+            lower = {std::min(lower.x, x.x), std::min(lower.y, x.y), std::min(lower.z, x.z)};
+            upper = {std::max(upper.x, x.x), std::max(upper.y, x.y), std::max(upper.z, x.z)};
+            reach = std::max(reach, input_.reach(p));
+        }
+        take_near(scratch_.cell_awake, lower, upper, reach, scratch_.awake);
+        take_near(scratch_.cell_others, lower, upper, reach, scratch_.others);
+    }
+
+    /// Lists the neighbours of particles first .. last - 1 among the candidates.
+    void list_all(Index first, Index last)
+    {
+        run_first_ = scratch_.awake.first_from(run_.begin);
+        run_last_ = scratch_.awake.first_from(run_.end);
         scratch_.found.resize(scratch_.awake.size() + scratch_.others.size() + 2 * lane_count);
+        for (Index p = first; p < last; ++p) {
+            if (!input_.asleep[p]) list(p);
+        }
     }
 
     void list(Index p)

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <omp.h>
 #include <random>
 #include <set>
@@ -15,8 +17,9 @@ namespace {
 struct Cloud {
     static constexpr double support = 2, smoothing = 0.3;
     std::vector<Vec3> given, position; ///< as made, and by sorted place
-    std::vector<float> skin;
-    std::vector<std::uint8_t> asleep, group; ///< asleep: of particles, the images stand behind them
+    std::vector<float> given_skin, skin;
+    std::vector<std::uint8_t> given_asleep, asleep,
+        group; ///< asleep: of particles, the images stand behind them
     std::vector<std::uint64_t> sees;
     ParticleCells cells;
     std::vector<NeighbourRun> runs;
@@ -28,13 +31,23 @@ struct Cloud {
         for (std::size_t i = 0; i < count; ++i) {
             given.push_back({12 * unit(random), 5 * unit(random), 3 * unit(random)});
             if (i % 97 == 0) given.back() = 40.0 * given.back(); // spray, far away
+            given_skin.push_back(static_cast<float>(0.4 * unit(random)));
         }
-        const std::size_t real_count = with_images ? count - count / 5 : count;
-        cells.sort(given, 1.0, real_count);
+        given_asleep.resize(with_images ? count - count / 5 : count);
+        for (std::uint8_t& sleeps : given_asleep) sleeps = with_images && unit(random) < 0.1;
+        sort(1.0);
+    }
+    /// Sorts into cells of that side, and builds.
+    void sort(double side)
+    {
+        cells.sort(given, side, given_asleep.size());
+        for (auto* values : {&asleep, &group}) values->clear();
+        position.clear();
+        skin.clear();
         for (Index from : cells.order()) {
             position.push_back(given[from]);
-            skin.push_back(static_cast<float>(0.4 * unit(random)));
-            if (asleep.size() < real_count) asleep.push_back(with_images && unit(random) < 0.1);
+            skin.push_back(given_skin[from]);
+            if (asleep.size() < given_asleep.size()) asleep.push_back(given_asleep[from]);
             group.push_back(static_cast<std::uint8_t>(from % 3));
         }
         build();
@@ -121,6 +134,17 @@ TEST(SphNeighbours, ImagesAndSleepersAreSeenButSeeNothing)
     EXPECT_EQ(walked_pairs(cloud), all_close_pairs(cloud));
 }
 
+/// Small particles crowd in the cells of a few that reach far: candidates are narrowed for groups of them.
+TEST(SphNeighbours, ListsEveryClosePairOfParticlesOfManySizes)
+{
+    Cloud cloud(6000, 6, true);
+    for (std::size_t i = 0; i < 6000; ++i) cloud.given_skin[i] = i % 50 == 0 ? 6.0f : -0.1f;
+    cloud.sort(7.0);
+    const Pairs expected = all_close_pairs(cloud);
+    ASSERT_GT(expected.size(), 100000u);
+    EXPECT_EQ(walked_pairs(cloud), expected);
+}
+
 TEST(SphNeighbours, GroupsSeeOnlyWhomTheyMay)
 {
     Cloud cloud(3000, 3, true);
@@ -148,22 +172,29 @@ TEST(SphNeighbours, TheOrderIsAFunctionOfThePositionsAlone)
     omp_set_num_threads(before);
 }
 
-TEST(SphNeighbours, CellsHoldTheirParticlesInTheGivenOrder)
+TEST(SphNeighbours, CellsHoldEveryParticleAndImageOnce)
 {
     const Cloud cloud(5000, 5, true);
-    const auto in_order = [&](Index begin, Index end) {
-        for (Index p = begin + 1; p < end; ++p) EXPECT_LT(cloud.cells.order()[p - 1], cloud.cells.order()[p]);
-        return end - begin;
+    const auto fits = [&](Index begin, Index end) {
+        Vec3 lower{INFINITY, INFINITY, INFINITY}, upper = -lower;
+        for (Index p = begin; p < end; ++p) {
+            const Vec3& x = cloud.position[p];
+            lower = {std::min(lower.x, x.x), std::min(lower.y, x.y), std::min(lower.z, x.z)};
+            upper = {std::max(upper.x, x.x), std::max(upper.y, x.y), std::max(upper.z, x.z)};
+        }
+        return begin == end || std::max({upper.x - lower.x, upper.y - lower.y, upper.z - lower.z}) < 1;
     };
     Index held = 0;
     for (Index cell = 0; cell < cloud.cells.cell_count(); ++cell) {
-        for (Index p = cloud.cells.begin(cell); p < cloud.cells.end(cell); ++p) {
-            EXPECT_EQ(cloud.cells.cell_of_place(p), cell);
-        }
-        held += in_order(cloud.cells.begin(cell), cloud.cells.end(cell));
-        held += in_order(cloud.cells.first_copy(cell), cloud.cells.first_copy(cell + 1));
+        const Index begin = cloud.cells.begin(cell), end = cloud.cells.end(cell);
+        const Index copies = cloud.cells.first_copy(cell), copies_end = cloud.cells.first_copy(cell + 1);
+        for (Index p = begin; p < end; ++p) EXPECT_EQ(cloud.cells.cell_of_place(p), cell);
+        EXPECT_TRUE(fits(begin, end) && fits(copies, copies_end)) << "cell " << cell;
+        held += end - begin + copies_end - copies;
     }
     EXPECT_EQ(held, 5000);
+    const std::set<Index> given(cloud.cells.order().begin(), cloud.cells.order().end());
+    EXPECT_EQ(given.size(), 5000u);
 }
 
 TEST(SphNeighbours, RadixSortIsStable)
