@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "core/release.h"
 #include "core/run_error.h"
+#include "sph/array_sorter.h"
 #include "sph/pair_passes.h"
 
 #include <algorithm>
@@ -12,30 +13,6 @@
 namespace plash {
 
 namespace {
-
-/// values[new place] = values[old place], with room for images behind, which start from nothing.
-template <class Values>
-void permute(Values& values, const std::vector<Index>& old_place, std::size_t images = 0)
-{
-    Values moved(old_place.size() + images);
-    for_chunks(old_place.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t p = begin; p < end; ++p) moved[p] = values[old_place[p]];
-    });
-    values = std::move(moved);
-}
-
-/// The same for rows of `width` values.
-void permute_rows(std::vector<double>& values, int width, const std::vector<Index>& old_place)
-{
-    std::vector<double> moved(old_place.size() * width);
-    for_chunks(old_place.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t p = begin; p < end; ++p) {
-            const double* row = values.data() + static_cast<std::size_t>(old_place[p]) * width;
-            std::copy(row, row + width, moved.data() + p * width);
-        }
-    });
-    values = std::move(moved);
-}
 
 /// Inverse of the moment of a kernel. Particles with too few neighbours to carry a linear field keep the
 /// plain gradient.
@@ -94,7 +71,14 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
 void ParticleBody::create(const State& state)
 {
     ParticleArrays& a = arrays_;
+    a.particle.reserve(real_count_);
     a.motion.reserve(real_count_);
+    a.node.reserve(real_count_);
+    a.part.reserve(real_count_);
+    if (options_.volume_weighted) a.own_mass.reserve(real_count_);
+    a.density.reserve(real_count_);
+    a.energy.reserve(real_count_);
+    a.history.reserve(real_count_ * a.history_size);
     for (std::size_t number = 0; number < parts_.size(); ++number) {
         const ParticlePart& part = parts_[number];
         for (std::size_t i = 0; i < part.nodes.size(); ++i) {
@@ -220,7 +204,6 @@ void ParticleBody::search(State& state)
     ParticleArrays& a = arrays_;
     std::vector<Index> number = dismiss_leaving(state);
     release(runs_); // makes room for what sorting needs
-    give_gaps_back();
     images_.follow(state, model_.nodes.position);
     followed_.clear();
     for (const PeriodicPair& pair : images_.periods()) {
@@ -252,34 +235,35 @@ void ParticleBody::search(State& state)
     std::vector<Index> old_place(real_count_);
     for (std::size_t p = 0; p < real_count_; ++p) old_place[p] = place_of[order[p]];
     release(place_of);
-    permute(a.motion, old_place, images);
-    permute(a.push, old_place, images);
-    permute(a.node, old_place);
-    permute(a.part, old_place, images);
-    permute(a.asleep, old_place);
-    if (!a.own_mass.empty()) permute(a.own_mass, old_place);
-    permute(a.density, old_place);
-    permute(a.rate, old_place);
-    permute(a.pressure, old_place);
-    permute(a.energy, old_place);
-    permute(a.viscous_force, old_place);
-    permute(a.heat, old_place);
-    permute(a.skin, old_place, images);
-    if (!a.laminar.empty()) permute(a.laminar, old_place, images);
-    if (tensor_) {
-        permute(a.tension, old_place, images);
-        permute(a.gradient, old_place);
-        permute(a.correction, old_place);
-        permute(a.stress, old_place);
-        permute_rows(a.history, a.history_size, old_place);
+    {
+        ArraySorter sort(std::move(old_place));
+        sort(a.motion, images);
+        sort(a.push, images);
+        sort(a.node);
+        sort(a.part, images);
+        sort(a.asleep);
+        if (!a.own_mass.empty()) sort(a.own_mass);
+        sort(a.density);
+        sort(a.rate);
+        sort(a.pressure);
+        sort(a.energy);
+        sort(a.viscous_force);
+        sort(a.heat);
+        sort(a.skin, images);
+        if (!a.laminar.empty()) sort(a.laminar, images);
+        if (tensor_) {
+            sort(a.tension, images);
+            sort(a.gradient);
+            sort(a.correction);
+            sort(a.stress);
+            sort(a.history, 0, a.history_size);
+        }
     }
-    release(old_place);
-    a.particle = std::vector<Index>(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(real_count_));
+    a.particle.assign(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(real_count_));
     a.image.assign(order.size(), no_image);
     put_to_sleep(state);
     images_.settle(order, a);
     images_.refresh_all(a);
-    give_gaps_back(); // every array has a new place
     list_neighbours(cells);
 }
 
