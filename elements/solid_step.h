@@ -47,19 +47,6 @@ struct SolidMotion {
     const Lane* constants; ///< of the material point
 };
 
-/// A strain increment of the middle of a step in the axes of its end, to second order in the turn: s + h x s
-/// - s x h with half the turn h. Without it stress lags behind a spinning body by half a step, which feeds
-/// its vibrations (Rubinstein & Atluri 1983, Comput. Methods Appl. Mech. Engng 36, 277-290, on objective
-/// integration).
-template <class Lane>
-inline SymmetricTensor<Lane> turned_half(const SymmetricTensor<Lane>& s, const Vector3<Lane>& h)
-{
-    const Lane xy = h.x * s.zx - h.y * s.yz, yz = h.y * s.xy - h.z * s.zx, zx = h.z * s.yz - h.x * s.xy;
-    return {s.xx + 2.0 * (h.y * s.zx - h.z * s.xy), s.yy + 2.0 * (h.z * s.xy - h.x * s.yz),
-            s.zz + 2.0 * (h.x * s.yz - h.y * s.zx), s.xy + h.z * (s.xx - s.yy) - xy,
-            s.yz + h.x * (s.yy - s.zz) - yz,        s.zx + h.y * (s.zz - s.xx) - zx};
-}
-
 /// What a batch of elements gives back besides its history.
 template <class Lane>
 struct SolidVote {

@@ -147,12 +147,13 @@ void ParticleBody::sum_rates(const Clock& clock)
         return;
     }
     const auto take = [&](const NeighbourRun& run, const GradientSums* sums) {
-        for (Index i = 0; i < run.length(); ++i) take_gradient(run.begin + i, sums[i]);
+        for (Index i = 0; i < run.length(); ++i) take_gradient(run.begin + i, 0.5 * step, sums[i]);
     };
     sum_velocity_gradients(options_.kernel, options_.dimension, 0.5 * step, runs_, arrays_, take);
 }
 
-void ParticleBody::take_gradient(Index place, const GradientSums& sums)
+/// The correction is that of the middle of the step; what the forces of its end use has turned on by half.
+void ParticleBody::take_gradient(Index place, double half_step, const GradientSums& sums)
 {
     ParticleArrays& a = arrays_;
     const double scale = options_.volume_weighted ? 1 : 1 / a.density[place];
@@ -166,7 +167,7 @@ void ParticleBody::take_gradient(Index place, const GradientSums& sums)
                                  scale * m[3], scale * m[4], scale * m[5]});
         const Tensor3<double> full{b.xx, b.xy, b.zx, b.xy, b.yy, b.yz, b.zx, b.yz, b.zz};
         gradient = gradient * full;
-        a.correction[place] = b;
+        a.correction[place] = turned_half(b, half_step * axial_vector(gradient));
     }
     a.gradient[place] = gradient;
     const double expansion = gradient.xx + gradient.yy + gradient.zz;

@@ -130,7 +130,7 @@ private:
     bool is_awake(Index place) const;
     void put_to_sleep(State& state);
     void sum_rates(const Clock& clock);
-    void take_gradient(Index place, const GradientSums& sums);
+    void take_gradient(Index place, double half_step, const GradientSums& sums);
     void search(State& state);
     std::vector<Index> dismiss_leaving(State& state);
     void choose_skin();

@@ -78,9 +78,10 @@ private:
             return gather(places, [&](Index p) { return array[p]; });
         };
         const Tensor3<Lanes> gradient = gather_gradient(places, arrays);
-        const SymmetricTensor<Lanes> increment = broadcast<Lanes>(step) * symmetric_part(gradient);
-        const Tensor3<Lanes> rotation =
-            incremental_rotation(broadcast<Lanes>(0.5 * step) * axial_vector(gradient));
+        const Vector3<Lanes> half_turn = broadcast<Lanes>(0.5 * step) * axial_vector(gradient);
+        const SymmetricTensor<Lanes> increment =
+            turned_half(broadcast<Lanes>(step) * symmetric_part(gradient), half_turn);
+        const Tensor3<Lanes> rotation = incremental_rotation(half_turn);
         const Lanes expansion = trace(increment), before = from(arrays.density);
         const Lanes density = advanced_density(true, before, -expansion);
 

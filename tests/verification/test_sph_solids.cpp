@@ -103,7 +103,8 @@ TEST(SphSolids, StressTurnsWithASpinningBody)
     Recorders nobody;
     const Outcome outcome = run(scene, nobody);
     ASSERT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
-    EXPECT_LT(scene.ledger.balance_error(), 1e-3);
+    // 1.5e-6; 1.1e-4 a turn where corrections of the gradient stand behind by half of a step's turn.
+    EXPECT_LT(scene.ledger.balance_error(), 5e-6);
     // A spin held by elasticity stays near its shape: after a full turn every particle is back within the
     // centrifugal stretch, (spin R)^2 / c^2 R < 0.01, and the angle by which the stretched disc lags.
     double largest = 0;
