@@ -121,6 +121,38 @@ inline ClosestPoint<Lane> closest_point(const Vector3<Lane>& x, const SegmentCor
     return point;
 }
 
+/// Foot of the perpendicular from x, found from a place close to it; not held within the segment. Two rounds
+/// of Gauss and Newton: from within a fortieth of the segment both leave less than round-off on flat
+/// parallelograms and about 1e-6 of its size on others.
+template <class Lane>
+inline ClosestPoint<Lane> foot_near(const Vector3<Lane>& x, const SegmentCorners<Lane>& q, Lane s, Lane t)
+{
+    const Lane zero{}, one = broadcast<Lane>(1);
+    const Vector3<Lane> last = q.d - q.c;
+    const auto triangle = dot(last, last) == zero;
+    const Vector3<Lane> e1 = q.b - q.a, e2 = q.d - q.a;
+    Vector3<Lane> twist = (q.a - q.b) + (q.c - q.d);
+    twist.x = triangle ? zero : twist.x;
+    twist.y = triangle ? zero : twist.y;
+    twist.z = triangle ? zero : twist.z;
+    const Vector3<Lane> reach = x - q.a;
+    for (int round = 0; round < 2; ++round) {
+        const Vector3<Lane> along_s = e1 + t * twist, along_t = e2 + s * twist;
+        const Vector3<Lane> rest = reach - s * e1 - t * along_t;
+        const Lane g1 = dot(rest, along_s), g2 = dot(rest, along_t);
+        const Lane h11 = dot(along_s, along_s), h22 = dot(along_t, along_t), h12 = dot(along_s, along_t);
+        const Lane inverse = one / max(h11 * h22 - h12 * h12, broadcast<Lane>(1e-300));
+        s = s + (h22 * g1 - h12 * g2) * inverse;
+        t = t + (h11 * g2 - h12 * g1) * inverse;
+    }
+    ClosestPoint<Lane> point;
+    point.s = s;
+    point.t = t;
+    point.offset = reach - s * e1 - t * (e2 + s * twist);
+    point.distance2 = dot(point.offset, point.offset);
+    return point;
+}
+
 /// Unit normal of the segment at (s, t), by the right-hand rule of its corners; zero where it degenerates.
 template <class Lane>
 inline Vector3<Lane> segment_normal(const SegmentCorners<Lane>& q, const Lane& s, const Lane& t)

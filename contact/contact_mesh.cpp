@@ -117,6 +117,16 @@ std::vector<Index> spatial_order(std::span<const Vec3> place)
     return order;
 }
 
+bool presses_by_segments(const Contact& contact)
+{
+    using Kind = Contact::Kind;
+    const bool surfaces = contact.kind == Kind::single_surface || contact.kind == Kind::two_way ||
+                          contact.kind == Kind::one_way;
+    const auto is_named = [&](const char* part) { return contact.keyword.find(part) != std::string::npos; };
+    return contact.soft == 2 && surfaces && !contact.constraint && contact.tie.method == Tie::Method::none &&
+           contact.slave.kind != ContactSide::Kind::nodes && !is_named("NODES_TO") && !is_named("BEAMS_TO");
+}
+
 ContactMesh make_contact_mesh(const Contact& contact, const Surface& slave, const Surface& master,
                               std::span<const Vec3> position)
 {
@@ -128,7 +138,7 @@ ContactMesh make_contact_mesh(const Contact& contact, const Surface& slave, cons
     join_nodes(mesh.nodes, master, master_bit, contact.kind == Contact::Kind::two_way ? slave_bit : 0);
     std::vector<JoinedSegment> joined;
     const bool slave_is_touched = single || contact.kind == Contact::Kind::two_way;
-    if (slave_is_touched) join_segments(joined, slave, slave_bit);
+    if (slave_is_touched || presses_by_segments(contact)) join_segments(joined, slave, slave_bit);
     join_segments(joined, master, master_bit);
     merge_nodes(mesh.nodes);
     merge_segments(joined);

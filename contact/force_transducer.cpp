@@ -69,6 +69,31 @@ void ForceTransducer::add(const SurfaceContact& source, const State& state,
         if (slave_on_master) take(sum.slave_force, sum.slave_moment, 1);
         if (master_on_slave && !slave_on_master) take(sum.slave_force, sum.slave_moment, -1);
     });
+    if (source.facing()) add_facing(mesh, *source.facing(), state, sum);
+}
+
+void ForceTransducer::add_facing(const ContactMesh& mesh, const FacingSegments& facing, const State& state,
+                                 ElementResults::ContactForce& sum) const
+{
+    for (const FacingTouch& touch : facing.touches()) {
+        const auto take = [&](Index facet, const std::array<double, 4>& share, double sign, bool whole) {
+            for (int i = 0; i < 4; ++i) {
+                const Index corner = mesh.segments[facet].nodes[i];
+                if (!whole && !slave_.node[corner]) continue;
+                const Vec3 force = (sign * share[i]) * touch.force;
+                sum.slave_force += force;
+                sum.slave_moment += cross(state.position[corner], force);
+            }
+        };
+        if (!between_) {
+            take(touch.first, touch.on_first, 1, false);
+            take(touch.second, touch.on_second, -1, false);
+        } else if (slave_.holds(mesh, touch.first) && master_.holds(mesh, touch.second)) {
+            take(touch.first, touch.on_first, 1, true);
+        } else if (slave_.holds(mesh, touch.second) && master_.holds(mesh, touch.first)) {
+            take(touch.second, touch.on_second, -1, true);
+        }
+    }
 }
 
 void ForceTransducer::collect(const State& state, ElementResults& results) const

@@ -32,6 +32,8 @@ private:
 
     static Side make_side(const ContactSide& side, const Contact& contact, const Model& model,
                           const std::vector<PartData>& parts);
+    void add_facing(const ContactMesh& mesh, const FacingSegments& facing, const State& state,
+                    ElementResults::ContactForce& sum) const;
     void add(const SurfaceContact& source, const State& state, ElementResults::ContactForce& sum) const;
 };
 

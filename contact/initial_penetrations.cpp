@@ -14,7 +14,7 @@ std::vector<InitialPenetration> initial_penetrations(const Contact& contact, con
     const TouchList nothing_before;
     std::vector<Touch> touches;
     const TouchFinder finder(mesh, motion, nothing_before, contact.square_edges);
-    finder.find(search.pairs(), 0, search.pairs().node.size(), touches);
+    finder.find(search.pairs(), 0, search.pairs().owner.size(), touches);
     std::vector<InitialPenetration> found;
     for (const Touch& touch : touches) {
         // Surfaces that just touch are no mistake: round-off of their coordinates is not worth a line.

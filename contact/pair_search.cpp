@@ -26,9 +26,10 @@ PairSearch::PairSearch(const ContactMesh& mesh, const std::vector<std::array<Ind
     margin_ = mesh.typical_size(0.5) / 3;
 }
 
-void PairSearch::update(const ContactMesh& mesh, const ContactMotion& motion)
+void PairSearch::update(const ContactMesh& mesh, const ContactMotion& motion,
+                        const std::vector<std::uint8_t>* only)
 {
-    if (!holds(motion)) search(mesh, motion);
+    if (!holds(motion)) search(mesh, motion, only);
 }
 
 bool PairSearch::holds(const ContactMotion& motion)
@@ -69,8 +70,10 @@ bool PairSearch::may_touch(const ContactMesh& mesh, Index node, Index number) co
 }
 
 void PairSearch::search_nodes(const ContactMesh& mesh, std::span<const Vec3> position, double margin,
-                              std::size_t begin, std::size_t end, PairList& found) const
+                              std::size_t begin, std::size_t end, const std::vector<std::uint8_t>* only,
+                              PairList& found) const
 {
+    const auto acts = [&](Index node) { return mesh.nodes[node].acts_on != 0 && (!only || (*only)[node]); };
     std::vector<Index> candidates[lane_count];
     for (std::size_t first = begin; first < end; first += lane_count) {
         const int lanes = static_cast<int>(std::min<std::size_t>(lane_count, end - first));
@@ -88,7 +91,7 @@ void PairSearch::search_nodes(const ContactMesh& mesh, std::span<const Vec3> pos
             x.z[lane] = place.z;
             half_thickness[lane] = mesh.nodes[node].half_thickness;
             thickest = std::max(thickest, mesh.nodes[node].half_thickness);
-            acting = acting || mesh.nodes[node].acts_on != 0;
+            acting = acting || acts(node);
             candidates[lane].clear();
         }
         if (!acting) continue;
@@ -105,7 +108,8 @@ void PairSearch::search_nodes(const ContactMesh& mesh, std::span<const Vec3> pos
             near &= (1u << lanes) - 1;
             for (; near != 0; near &= near - 1) {
                 const int lane = std::countr_zero(near);
-                if (may_touch(mesh, order_[first + lane], number)) candidates[lane].push_back(number);
+                const Index node = order_[first + lane];
+                if (acts(node) && may_touch(mesh, node, number)) candidates[lane].push_back(number);
             }
         });
         for (int lane = 0; lane < lanes; ++lane) {
@@ -117,7 +121,8 @@ void PairSearch::search_nodes(const ContactMesh& mesh, std::span<const Vec3> pos
     }
 }
 
-void PairSearch::search(const ContactMesh& mesh, const ContactMotion& motion)
+void PairSearch::search(const ContactMesh& mesh, const ContactMotion& motion,
+                        const std::vector<std::uint8_t>* only)
 {
     ++searches_;
     const std::vector<Vec3>& position = motion.position;
@@ -139,10 +144,24 @@ void PairSearch::search(const ContactMesh& mesh, const ContactMotion& motion)
     if (order_.empty()) order_ = spatial_order(position);
     std::vector<PairList> found((position.size() + chunk_length - 1) / chunk_length);
     for_chunks(position.size(), [&](std::size_t begin, std::size_t end) {
-        search_nodes(mesh, position, margin, begin, end, found[begin / chunk_length]);
+        search_nodes(mesh, position, margin, begin, end, only, found[begin / chunk_length]);
     });
     sort_by_node(position.size(), found);
     pairs_.due.assign(pairs_.node.size(), 0.0);
+    pairs_.set_owners();
+}
+
+void PairList::set_owners()
+{
+    owner.clear();
+    begin.clear();
+    for (std::size_t pair = 0; pair < node.size(); ++pair) {
+        if (!owner.empty() && owner.back() == node[pair]) continue;
+        owner.push_back(node[pair]);
+        begin.push_back(static_cast<Index>(pair));
+    }
+    begin.push_back(static_cast<Index>(node.size()));
+    quiet.assign(owner.size(), 0.0);
 }
 
 /// Nodes were searched in their order in space: brings the pairs into the order of the mesh's nodes.
@@ -169,6 +188,8 @@ void PairSearch::leave_out(Index node)
     const auto [first, last] = std::equal_range(pairs_.node.begin(), pairs_.node.end(), node);
     std::fill(pairs_.due.begin() + (first - pairs_.node.begin()),
               pairs_.due.begin() + (last - pairs_.node.begin()), std::numeric_limits<double>::infinity());
+    const auto owner = std::lower_bound(pairs_.owner.begin(), pairs_.owner.end(), node);
+    if (owner != pairs_.owner.end() && *owner == node) pairs_.quiet[owner - pairs_.owner.begin()] = 0;
 }
 
 } // namespace plash

@@ -14,8 +14,14 @@ struct PairList {
     /// Path (see ContactMotion::travelled) before which the pair cannot touch [length]; kept by the
     /// TouchFinder.
     std::vector<double> due;
+    /// Nodes that have pairs, rising, where the pairs of each begin (and the last end), and the path before
+    /// which a node's touches stay on their facets and no other begins [length]; kept by the TouchFinder.
+    std::vector<Index> owner, begin;
+    std::vector<double> quiet;
 
-    void serialise(Archive& archive) { archive(node, facet, due); }
+    /// Finds the owners of the pairs; none of them is quiet.
+    void set_owners();
+    void serialise(Archive& archive) { archive(node, facet, due, owner, begin, quiet); }
 };
 
 /// Finds pairs closer than what contact needs plus a margin, and tells when they must be found again.
@@ -31,7 +37,9 @@ public:
     PairSearch(const ContactMesh& mesh, const std::vector<std::array<Index, 8>>& solid_nodes);
 
     /// Finds all pairs if those at hand do not hold any more.
-    void update(const ContactMesh& mesh, const ContactMotion& motion);
+    /// only   if given, nodes that count (by mesh node, not 0)
+    void update(const ContactMesh& mesh, const ContactMotion& motion,
+                const std::vector<std::uint8_t>* only = nullptr);
     /// Makes the next search come before the next cycle (surfaces have changed).
     void forget() { searched_at_.clear(); }
 
@@ -55,9 +63,10 @@ private:
     long searches_ = 0;
 
     bool holds(const ContactMotion& motion);
-    void search(const ContactMesh& mesh, const ContactMotion& motion);
+    void search(const ContactMesh& mesh, const ContactMotion& motion, const std::vector<std::uint8_t>* only);
     void search_nodes(const ContactMesh& mesh, std::span<const Vec3> position, double margin,
-                      std::size_t begin, std::size_t end, PairList& found) const;
+                      std::size_t begin, std::size_t end, const std::vector<std::uint8_t>* only,
+                      PairList& found) const;
     void sort_by_node(std::size_t node_count, const std::vector<PairList>& found);
     bool may_touch(const ContactMesh& mesh, Index node, Index facet) const;
 };

@@ -240,10 +240,13 @@ private:
             const double volume = solid_volume(model_.solids.nodes[segment.solid], position);
             segment.stiffness = volume > 0 ? scale * bulk * area * area / volume : 0;
             const double thickness = area > 0 ? volume / area : 0;
+            segment.area_mass = 0.5 * parts_[segment.part].density * thickness;
             segment.depth =
                 options_.penetration_factor > 0 ? options_.penetration_factor * thickness : 0.5 * thickness;
         } else {
             segment.stiffness = longest > 0 ? scale * bulk * area / longest : 0;
+            if (segment.shell != none)
+                segment.area_mass = parts_[segment.part].density * element_thickness(segment);
             segment.depth = options_.penetration_factor > 0
                                 ? options_.penetration_factor * 2 * segment.half_thickness
                                 : 0.25 * longest;

@@ -18,6 +18,7 @@ struct Segment {
     double stiffness = 0; ///< unscaled penalty stiffness, K A / longest diagonal or K A^2 / V [force/length]
     double size = 0;      ///< square root of the area at the start [length]
     double depth = 0;     ///< how far behind the plane a node is still pushed back [length]
+    double area_mass = 0; ///< of the shell, or of half the solid; 0: no element beneath [mass/area]
 };
 
 /// A node that may touch segments.

@@ -15,12 +15,6 @@ namespace {
 
 using Facet = ContactMesh::Facet;
 
-/// Shares of a touch's facet corners in its contact point.
-std::array<double, 4> shares_of(const ContactMesh& mesh, const Touch& touch)
-{
-    return corner_shares(touch.s, touch.t, mesh.facets[touch.facet].triangle());
-}
-
 /// Friction of every part, and of what has none: the contact's own values unless FS = -1.
 std::vector<Friction> frictions_of(const Contact& contact, const Model& model)
 {
@@ -61,8 +55,31 @@ SurfaceContact::SurfaceContact(const Contact& contact, const Model& model, const
       sum_before_(mesh_.nodes.size())
 {
     if (contact.tie.method != Tie::Method::none) tie(parts);
+    if (presses_by_segments(contact)) make_facing();
     rigid_.resize(model.parts.size());
     for (std::size_t part = 0; part < parts.size(); ++part) rigid_[part].rigid = parts[part].rigid;
+}
+
+/// A segment without an element beneath has the mass of its nodes.
+void SurfaceContact::make_facing()
+{
+    FacingSegments::Options options;
+    const double slave = contact_.penalty_scale * contact_.slave.stiffness_scale;
+    const double master = contact_.penalty_scale * contact_.master.stiffness_scale;
+    options.stiffness_scale = {slave, master, 0.5 * (slave + master)};
+    options.damping = contact_.damping;
+    options.friction_scale = contact_.friction_scale;
+    options.two_sided = contact_.kind != Contact::Kind::single_surface;
+    options.mixed_friction = contact_.static_friction == -1;
+    std::vector<double> area_mass;
+    for (const Segment& segment : mesh_.segments) {
+        double mass = segment.area_mass;
+        if (mass == 0 && segment.size > 0) {
+            for (Index node : segment.nodes) mass += 0.25 * lumped_[node] / (segment.size * segment.size);
+        }
+        area_mass.push_back(mass);
+    }
+    facing_.emplace(mesh_, options, frictions_, std::move(area_mass));
 }
 
 /// TIEBREAK: nodes that are held do not touch until they are set free; under OPTION 4 springs only pull, and
@@ -159,6 +176,7 @@ void SurfaceContact::follow_erosion(const State& state)
     const bool known = state.deletions == deletions_seen_;
     if (known && !restarted_) return;
     if (!known) search_.forget();
+    if (!known && facing_) facing_->forget();
     restarted_ = false;
     deletions_seen_ = state.deletions;
     mesh_.update_exposed(state);
@@ -167,14 +185,15 @@ void SurfaceContact::follow_erosion(const State& state)
 void SurfaceContact::find_touches()
 {
     PairList& pairs = search_.pairs();
-    const std::size_t chunks = (pairs.node.size() + chunk_length - 1) / chunk_length;
+    const std::size_t owners = pairs.owner.size();
+    const std::size_t chunks = (owners + chunk_length - 1) / chunk_length;
     before_.forget();
     std::swap(now_, before_);
     now_.first.resize(mesh_.nodes.size(), nullptr);
     now_.chunks.resize(chunks);
     const TouchFinder finder(mesh_, motion_, before_, contact_.square_edges);
     std::vector<double> friction(chunks);
-    for_chunks(pairs.node.size(), [&](std::size_t begin, std::size_t end) {
+    for_chunks(owners, [&](std::size_t begin, std::size_t end) {
         const std::size_t chunk = begin / chunk_length;
         std::vector<Touch>& touches = now_.chunks[chunk];
         touches.clear();
@@ -227,7 +246,7 @@ const Friction& SurfaceContact::friction_of(const Touch& touch, Friction& mixed)
 double SurfaceContact::apply_law(Touch& touch) const
 {
     const Facet& facet = mesh_.facets[touch.facet];
-    const auto share = shares_of(mesh_, touch);
+    const auto share = shares(touch);
     Vec3 velocity = motion_.velocity[touch.node];
     double facet_inverse_mass = 0;
     for (int i = 0; i < 4; ++i) {
@@ -238,10 +257,13 @@ double SurfaceContact::apply_law(Touch& touch) const
     const double closing = -dot(velocity, touch.normal);
     if (contact_.constraint) return 0; // constrain() finds the force
     if (touch.stiffness == 0 || soft_changed_) touch.stiffness = stiffness_of(touch);
-    double normal_force = rounded_force(touch.stiffness, touch.active_penetration(), touch.rounding);
+    if (touch.weight < 0)
+        touch.weight = facing_ ? facing_->node_weight(motion_, touch.node, touch.normal) : 1;
+    const double stiffness = touch.weight * touch.stiffness;
+    double normal_force = rounded_force(stiffness, touch.active_penetration(), touch.rounding);
     if (normal_force > 0 && contact_.damping > 0 && facet_inverse_mass > 0) {
         const double damping =
-            damping_coefficient(contact_.damping, touch.stiffness, mass_[touch.node], 1 / facet_inverse_mass);
+            damping_coefficient(contact_.damping, stiffness, mass_[touch.node], 1 / facet_inverse_mass);
         normal_force = std::max(0.0, normal_force + damping * closing);
     }
     Friction mixed;
@@ -253,7 +275,7 @@ double SurfaceContact::apply_law(Touch& touch) const
         const double speed = motion_.last_step > 0 ? norm(slip) / motion_.last_step : 0;
         double limit = contact_.friction_scale * friction.coefficient(speed) * normal_force;
         if (friction.shear_cap > 0) limit = std::min(limit, friction.shear_cap * facet.size * facet.size);
-        touch.friction = friction_force(before, touch.normal, slip, touch.stiffness, limit);
+        touch.friction = friction_force(before, touch.normal, slip, stiffness, limit);
     }
     touch.force = normal_force * touch.normal + touch.friction;
     return -0.5 * dot(before + touch.friction, slip);
@@ -267,6 +289,7 @@ void SurfaceContact::add_forces(const Clock& clock, State& state)
     if (!active(clock)) {
         now_.clear();
         before_.clear();
+        if (facing_) facing_->clear();
         return;
     }
     follow_erosion(state);
@@ -274,17 +297,25 @@ void SurfaceContact::add_forces(const Clock& clock, State& state)
     const double longest = contact_.soft_step > 0 ? contact_.soft_step : clock.last_step;
     soft_changed_ = contact_.soft != 0 && longest > soft_step_;
     soft_step_ = std::max(soft_step_, longest);
-    search_.update(mesh_, motion_);
+    const std::vector<std::uint8_t>* nodes = nullptr;
+    if (facing_) {
+        facing_pressed_ = !facing_->touches().empty();
+        const long searches = facing_->searches();
+        energy_.friction += facing_->find(motion_, soft_step_);
+        if (facing_->searches() != searches) search_.forget(); // other nodes may be sharp
+        nodes = &facing_->sharp_nodes();
+    }
+    search_.update(mesh_, motion_, nodes);
     find_touches();
     if (sticks_) stick(state);
-    if (contact_.constraint || now_.size() + before_.size() == 0) return;
+    if (contact_.constraint || nothing_touches()) return;
     sum_up();
     add_to(clock, state);
 }
 
 void SurfaceContact::constrain(const Clock& clock, State& state)
 {
-    if (!contact_.constraint || !active(clock) || now_.size() + before_.size() == 0) return;
+    if (!contact_.constraint || !active(clock) || nothing_touches()) return;
     set_constraint_forces(clock, state);
     sum_up();
     add_to(clock, state);
@@ -307,13 +338,13 @@ void SurfaceContact::set_constraint_forces(const Clock& clock, State& state)
     };
     std::vector<double> taken(mesh_.nodes.size());
     now_.for_each([&](const Touch& touch) {
-        const auto share = shares_of(mesh_, touch);
+        const auto share = shares(touch);
         for (int i = 0; i < 4; ++i) taken[mesh_.facets[touch.facet].corner[i]] += share[i];
     });
     for (auto& chunk : now_.chunks) {
         for (Touch& touch : chunk) {
             const Facet& facet = mesh_.facets[touch.facet];
-            const auto share = shares_of(mesh_, touch);
+            const auto share = shares(touch);
             Vec3 velocity = next_velocity(touch.node);
             double inverse = inverse_mass(touch.node);
             for (int i = 0; i < 4; ++i) {
@@ -363,13 +394,25 @@ void SurfaceContact::sum_up()
             const auto share = corner_shares(touch.s, touch.t, facet.triangle());
             NodeSum& node = sum_now_[touch.node];
             node.force += touch.force;
-            node.stiffness += touch.stiffness;
+            node.stiffness += touch.weight * touch.stiffness;
             for (int i = 0; i < 4; ++i) {
                 NodeSum& corner = sum_now_[facet.corner[i]];
                 corner.force -= share[i] * touch.force;
-                corner.stiffness += share[i] * touch.stiffness;
+                corner.stiffness += share[i] * touch.weight * touch.stiffness;
             }
         }
+    }
+    if (!facing_) return;
+    for (const FacingTouch& touch : facing_->touches()) {
+        const auto put = [&](Index facet, const std::array<double, 4>& share, double sign) {
+            for (int i = 0; i < 4; ++i) {
+                NodeSum& corner = sum_now_[mesh_.facets[facet].corner[i]];
+                corner.force += (sign * share[i]) * touch.force;
+                corner.stiffness += share[i] * touch.stiffness;
+            }
+        };
+        put(touch.first, touch.on_first, 1);
+        put(touch.second, touch.on_second, -1);
     }
 }
 
@@ -448,6 +491,7 @@ std::vector<std::string> SurfaceContact::notices(const State& state) const
 
 void SurfaceContact::serialise(Archive& archive)
 {
+    if (facing_) facing_->serialise(archive);
     archive(mass_, motion_.travelled, sum_now_, deletions_seen_, soft_step_, energy_, stuck_);
     search_.serialise(archive);
     if (archive.loading() && ties_ && !number_.empty())
@@ -465,68 +509,6 @@ void SurfaceContact::serialise(Archive& archive)
         if (mass_[i] == 0) mesh_.nodes[i].acts_on = 0;
     }
     restarted_ = deletions_seen_ > 0;
-}
-
-/// Resultants of both sides.
-void SurfaceContact::collect(const State& state, ElementResults& results) const
-{
-    ElementResults::ContactForce sum;
-    sum.contact = contact_.id;
-    sum.two_sides = contact_.master.kind != ContactSide::Kind::none;
-    sum.slave_energy = energy_.slave;
-    sum.master_energy = energy_.master;
-    sum.friction_energy = energy_.friction;
-    for (std::size_t i = 0; i < mass_.size(); ++i) {
-        if (mesh_.nodes[i].sides & slave_bit) sum.slave_mass += mass_[i];
-        if (mesh_.nodes[i].sides & master_bit) sum.master_mass += mass_[i];
-    }
-    now_.for_each([&](const Touch& touch) {
-        const Facet& facet = mesh_.facets[touch.facet];
-        const auto share = shares_of(mesh_, touch);
-        Vec3 facet_moment{};
-        for (int c = 0; c < 4; ++c) {
-            facet_moment -= share[c] * cross(motion_.position[facet.corner[c]], touch.force);
-        }
-        const Vec3 node_moment = cross(motion_.position[touch.node], touch.force);
-        const bool node_is_slave = (facet.belongs & master_bit) != 0;
-        sum.slave_force += node_is_slave ? touch.force : -touch.force;
-        sum.master_force += node_is_slave ? -touch.force : touch.force;
-        sum.slave_moment += node_is_slave ? node_moment : facet_moment;
-        sum.master_moment += node_is_slave ? facet_moment : node_moment;
-    });
-    if (ties_) {
-        ties_->collect(state, sum);
-        if (!results.contact_force.empty()) ties_->collect_nodes(results.contact_force);
-    }
-    if (!results.contact_force.empty() && now_.size() > 0) {
-        for (std::size_t i = 0; i < sum_now_.size(); ++i) {
-            results.contact_force[mesh_.nodes[i].node] += sum_now_[i].force;
-        }
-    }
-    if (!results.contact_pressure.empty() && now_.size() > 0) add_pressures(results.contact_pressure);
-    results.contacts.push_back(sum);
-}
-
-/// Normal forces of each node, as the one that touches and as a corner, over a quarter (third) of the area of
-/// its exposed facets.
-void SurfaceContact::add_pressures(std::vector<double>& pressure) const
-{
-    std::vector<double> normal(mesh_.nodes.size()), area(mesh_.nodes.size());
-    now_.for_each([&](const Touch& touch) {
-        const double force = dot(touch.force, touch.normal);
-        const auto share = shares_of(mesh_, touch);
-        normal[touch.node] += force;
-        for (int i = 0; i < 4; ++i) normal[mesh_.facets[touch.facet].corner[i]] += share[i] * force;
-    });
-    for (const Facet& facet : mesh_.facets) {
-        if (!facet.exposed) continue;
-        const int corners = facet.triangle() ? 3 : 4;
-        const double share = segment_area(facet.corner, motion_.position) / corners;
-        for (int i = 0; i < corners; ++i) area[facet.corner[i]] += share;
-    }
-    for (std::size_t i = 0; i < normal.size(); ++i) {
-        if (normal[i] > 0 && area[i] > 0) pressure[mesh_.nodes[i].node] += normal[i] / area[i];
-    }
 }
 
 } // namespace plash

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/penalty_law.h"
+#include "contact/facing_segments.h"
 #include "contact/tied_springs.h"
 #include "contact/touch.h"
 #include "core/term.h"
@@ -14,7 +14,8 @@ namespace plash {
 /// Stiffness of a touch: SOFT = 0: SLSFAC times the smaller (or as PENOPT says) of node and segment
 /// stiffness. SOFT = 1: at least SOFSCL m* / (2 dt^2) with the smallest mass of node and segment nodes and
 /// the longest step of the run so far, so that soft and stiff bodies meet as the step allows (Hallquist 2006,
-/// 'Soft constraint'). SOFT = 2: from the masses of node and segment alone.
+/// 'Soft constraint'). SOFT = 2: from the masses of node and segment alone; between surfaces segments press
+/// on segments (FacingSegments), and nodes act where rims and sharp corners meet a face.
 ///
 /// TIEBREAK contacts own the springs that hold their nodes until they fail.
 ///
@@ -38,6 +39,8 @@ public:
     const Contact& contact() const { return contact_; }
     const ContactMesh& mesh() const { return mesh_; }
     const TouchList& touches() const { return now_; }
+    /// Segments that press on segments, or nullptr.
+    const FacingSegments* facing() const { return facing_ ? &*facing_ : nullptr; }
     long searches() const { return search_.searches(); }
     double sliding_energy() const { return energy_.slave + energy_.master + (ties_ ? ties_->energy() : 0); }
     /// Springs of a TIEBREAK contact, or nullptr.
@@ -65,6 +68,7 @@ private:
     ContactMesh mesh_;
     PairSearch search_;
     ContactMotion motion_;
+    std::optional<FacingSegments> facing_;
     std::vector<double> lumped_; ///< masses of the Model's nodes by their elements, until the first cycle
     std::vector<double> mass_;   ///< of the mesh's nodes [mass]
     std::vector<Friction> frictions_; ///< by part, and one more for nodes and facets without a part
@@ -74,6 +78,7 @@ private:
     bool restarted_ = false; ///< the mesh does not know yet what erosion had taken before the restart
     double soft_step_ = 0;   ///< longest step so far [time]
     bool soft_changed_ = false;
+    bool facing_pressed_ = false; ///< segments pressed on segments in the last cycle
     Energy energy_;
     StepVote vote_;
     std::vector<RigidPart> rigid_; ///< by part of the Model
@@ -87,6 +92,13 @@ private:
     {
         return clock.time >= contact_.birth && clock.time <= contact_.death;
     }
+    bool nothing_touches() const
+    {
+        return now_.size() + before_.size() == 0 && !facing_pressed_ &&
+               (!facing_ || facing_->touches().empty());
+    }
+    std::array<double, 4> shares(const Touch& touch) const;
+    void make_facing();
     void tie(const std::vector<PartData>& parts);
     void pull_ties(const Clock& clock, State& state);
     void hold_back(Index number);
@@ -100,6 +112,13 @@ private:
     const Friction& friction_of(const Touch& touch, Friction& mixed) const;
     void set_constraint_forces(const Clock& clock, State& state);
     void sum_up();
+    void add_facing(ElementResults::ContactForce& sum) const;
+    /// What acts at the nodes: normal force, friction, area of the exposed facets; by mesh node.
+    struct NodeLoads {
+        std::vector<double> normal, area;
+        std::vector<Vec3> friction;
+    };
+    NodeLoads node_loads() const;
     void add_pressures(std::vector<double>& pressure) const;
     void add_to(const Clock& clock, State& state);
 };

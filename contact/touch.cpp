@@ -14,13 +14,6 @@ using Facet = ContactMesh::Facet;
 /// Share of its size by which an oriented facet reaches beyond its sides (as MAXPAR = 1.025 of LS-DYNA).
 constexpr double overhang = 0.025;
 
-/// First pair of the first node that begins at or after `place`.
-std::size_t node_start(const PairList& pairs, std::size_t place)
-{
-    while (place > 0 && place < pairs.node.size() && pairs.node[place] == pairs.node[place - 1]) ++place;
-    return place;
-}
-
 bool share_a_corner(const Facet& a, const Facet& b)
 {
     for (Index corner : a.corner) {
@@ -88,24 +81,48 @@ void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, std:
 {
     std::vector<Near> near;
     std::vector<const Near*> order;
-    collect_near(pairs, node_start(pairs, begin), node_start(pairs, end), near);
-    for (std::size_t i = 0; i < near.size();) {
-        std::size_t next = i + 1;
-        while (next < near.size() && near[next].node == near[i].node) ++next;
-        resolve({near.data() + i, next - i}, order, touches);
+    std::vector<std::size_t> followed; // places in `touches`
+    const double now = motion_.travelled + motion_.step_range;
+    collect_near(pairs, begin, end, near);
+    std::size_t i = 0;
+    for (std::size_t owner = begin; owner < end; ++owner) {
+        const Index node = pairs.owner[owner];
+        if (pairs.quiet[owner] > now) {
+            for (const Touch& old : before_.of(node)) {
+                followed.push_back(touches.size());
+                touches.push_back(old);
+            }
+            continue;
+        }
+        std::size_t next = i;
+        while (next < near.size() && near[next].node == node) ++next;
+        const std::size_t first = touches.size();
+        if (next > i) resolve({near.data() + i, next - i}, order, touches);
+        pairs.quiet[owner] = quiet_until(pairs, owner, {near.data() + i, next - i},
+                                         {touches.data() + first, touches.size() - first});
         i = next;
     }
+    bool ended = false;
+    for (std::size_t k = 0; k < followed.size(); k += lane_count) {
+        Touch* batch[lane_count];
+        const std::size_t count = std::min<std::size_t>(lane_count, followed.size() - k);
+        for (std::size_t lane = 0; lane < count; ++lane) batch[lane] = &touches[followed[k + lane]];
+        ended = follow({batch, count}) || ended;
+    }
+    if (ended) drop_ended(pairs, begin, end, touches);
 }
 
-/// Goes through the pairs that are due, eight at a time. Facets and their corners lie where the other body
-/// is: they are called for a few batches ahead.
+/// Goes through the pairs that are due, but for quiet nodes, eight at a time. Facets and their corners lie
+/// where the other body is: they are called for a few batches ahead.
 void TouchFinder::collect_near(PairList& pairs, std::size_t begin, std::size_t end,
                                std::vector<Near>& near) const
 {
     const double now = motion_.travelled + motion_.step_range;
     std::vector<Index> due;
-    for (std::size_t pair = begin; pair < end; ++pair) {
-        if (pairs.due[pair] <= now) due.push_back(static_cast<Index>(pair));
+    for (std::size_t owner = begin; owner < end; ++owner) {
+        if (pairs.quiet[owner] > now) continue;
+        for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner + 1]; ++pair)
+            if (pairs.due[pair] <= now) due.push_back(pair);
     }
     near.reserve(due.size());
     constexpr std::size_t facets_ahead = 4 * lane_count, corners_ahead = 2 * lane_count;
@@ -353,6 +370,7 @@ void TouchFinder::inherit(const Near& near, std::span<const Touch> before, Touch
     if (nearest) {
         touch.baseline = std::min(nearest->baseline, touch.penetration);
         touch.rounding = nearest->rounding;
+        touch.weight = nearest->weight;
         touch.friction = nearest->friction;
         if (nearest->facet == touch.facet) touch.stiffness = nearest->stiffness;
         return;

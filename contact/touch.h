@@ -16,8 +16,10 @@ struct Touch {
     double baseline = 0;    ///< penetration that gives no force, because the node was found there [length]
     double rounding = 0;    ///< width over which the force sets in [length]
     double stiffness = 0;   ///< [force/length]
-    Vec3 friction{};        ///< tangential force on the node [force]
-    Vec3 force{};           ///< whole force on the node [force]
+    double weight =
+        -1;          ///< share that is not left to segments on segments, as at its onset; -1: not known yet
+    Vec3 friction{}; ///< tangential force on the node [force]
+    Vec3 force{};    ///< whole force on the node [force]
 
     double active_penetration() const { return penetration - baseline; }
 };
@@ -68,8 +70,8 @@ public:
         : mesh_(mesh), motion_(motion), before_(before), square_edges_(square_edges)
     {}
 
-    /// Touches of the nodes whose first pair lies in [begin, end), by rising node. Stiffness and forces are
-    /// left to the law.
+    /// Touches of the owners of pairs number begin to end, by rising node. Stiffness and forces are left to
+    /// the law.
     void find(PairList& pairs, std::size_t begin, std::size_t end, std::vector<Touch>& touches) const;
 
 private:
@@ -88,6 +90,12 @@ private:
     bool square_edges_;
 
     void collect_near(PairList& pairs, std::size_t begin, std::size_t end, std::vector<Near>& near) const;
+    double quiet_until(const PairList& pairs, std::size_t owner, std::span<const Near> near,
+                       std::span<const Touch> touches) const;
+    double room_of(const Touch& touch, int feature) const;
+    bool flat_around(Index facet) const;
+    bool follow(std::span<Touch* const> batch) const;
+    void drop_ended(PairList& pairs, std::size_t begin, std::size_t end, std::vector<Touch>& touches) const;
     void measure(PairList& pairs, std::span<const Index> batch, std::vector<Near>& near) const;
     /// order  room that is used again from node to node
     void resolve(std::span<const Near> near, std::vector<const Near*>& order,

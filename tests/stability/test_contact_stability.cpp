@@ -29,7 +29,18 @@ std::string velocity_of_part(int part, const Vec3& v)
     return fmt::format("*INITIAL_VELOCITY_GENERATION\n{},2,0.0,{},{},{}\n0,0,0,0,0,0\n", part, v.x, v.y, v.z);
 }
 
-constexpr const char* single_surface = "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n1,all\n0\n\n\n";
+std::string single_surface(int soft)
+{
+    return fmt::format("*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n1,all\n0\n\n\n{}\n", soft);
+}
+
+std::string two_surfaces(int soft, int slave = 1, int master = 2)
+{
+    return fmt::format("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n{},{},3,3\n\n\n{}\n", slave, master, soft);
+}
+
+/// By SOFT: penalty, soft constraint, segments on segments.
+class ContactStability : public ::testing::TestWithParam<int> {};
 
 /// The run ends in balance and nothing flies off faster than `fastest`.
 void expect_calm(DeckRun& run, double fastest, double balance = 0.02)
@@ -47,37 +58,36 @@ void expect_calm(DeckRun& run, double fastest, double balance = 0.02)
 } // namespace
 
 /// Two sheets that cross at the start, at rest: they must stay as they are and not be blown apart.
-TEST(ContactStability, ShellsThatCrossAtTheStartDoNotExplode)
+TEST_P(ContactStability, ShellsThatCrossAtTheStartDoNotExplode)
 {
     DeckText deck = two_parts(2e-4, 1, 1);
     deck.sheet(1, {0, 0, 0}, {50, 0, 0}, {0, 50, 0}, 10, 10);
     deck.sheet(2, {1.3, 22, -20.7}, {50, 0, 0}, {0, 5, 40}, 10, 10);
-    deck.text += single_surface;
+    deck.text += single_surface(GetParam());
     DeckRun run(deck.text);
     // A node that was freed from its depth of 0.5 by full penalty would leave with metres a second.
     expect_calm(run, 500);
 }
 
 /// They cross and move against one another at 20 m/s: still in balance.
-TEST(ContactStability, ShellsThatCrossAndMoveStayInBalance)
+TEST_P(ContactStability, ShellsThatCrossAndMoveStayInBalance)
 {
     DeckText deck = two_parts(5e-4, 1, 1);
     deck.sheet(1, {0, 0, 0}, {50, 0, 0}, {0, 50, 0}, 10, 10);
     deck.sheet(2, {1.3, 22, -20.7}, {50, 0, 0}, {0, 5, 40}, 10, 10);
-    deck.text += single_surface + velocity_of_part(2, {0, 3e3, -2e4});
+    deck.text += single_surface(GetParam()) + velocity_of_part(2, {0, 3e3, -2e4});
     DeckRun run(deck.text);
     expect_calm(run, 2e5);
 }
 
 /// A corner comes down exactly on the edge between four facets and on a corner of the mesh below.
-TEST(ContactStability, NodesOnEdgesAndCornersBounce)
+TEST_P(ContactStability, NodesOnEdgesAndCornersBounce)
 {
     for (const double shift : {0.0, 2.5}) { // of elements 5 long: on a node, on the middle of an edge
         DeckText deck = two_parts(1e-3, 0, 2);
         deck.sheet(2, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, 8, 8);
         deck.block(1, {shift, 0, 1.5}, {shift + 10, 10, 11.5}, 4, 4, 4);
-        deck.text +=
-            "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n\n\n" + velocity_of_part(1, {0, 0, -5e3});
+        deck.text += two_surfaces(GetParam()) + velocity_of_part(1, {0, 0, -5e3});
         DeckRun run(deck.text);
         expect_calm(run, 5e4);
         EXPECT_GT(run.scene->state.velocity[run.node(82)].z, -5e3) << "turned back";
@@ -86,15 +96,14 @@ TEST(ContactStability, NodesOnEdgesAndCornersBounce)
 
 /// A block slides on its fixed base with a matching mesh: every node runs along rows of nodes and edges.
 /// Frictionless, so it must keep its speed.
-TEST(ContactStability, CoplanarSlidingIsSmooth)
+TEST_P(ContactStability, CoplanarSlidingIsSmooth)
 {
     DeckText deck = two_parts(2e-3, 0, 0);
     deck.block(2, {0, 0, 0}, {60, 10, 5}, 24, 4, 2);
     const int first = deck.block(1, {5, 0, 5}, {15, 10, 10}, 4, 4, 2);
     deck.text += "*SET_NODE_LIST_GENERATE\n1\n1,375\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
-                 "*LOAD_BODY_Z\n1,1.0\n*DEFINE_CURVE\n1\n0.0,9.81e3\n1.0,9.81e3\n"
-                 "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n\n\n" +
-                 velocity_of_part(1, {2e4, 0, 0});
+                 "*LOAD_BODY_Z\n1,1.0\n*DEFINE_CURVE\n1\n0.0,9.81e3\n1.0,9.81e3\n" +
+                 two_surfaces(GetParam()) + velocity_of_part(1, {2e4, 0, 0});
     DeckRun run(deck.text);
     expect_calm(run, 5e4, 0.005);
     double speed = 0, height = 0;
@@ -107,7 +116,7 @@ TEST(ContactStability, CoplanarSlidingIsSmooth)
 }
 
 /// A corner of a block is driven into the corner of a room of three walls and comes out again.
-TEST(ContactStability, CornerBetweenThreeSurfacesIsHeldAndReleased)
+TEST_P(ContactStability, CornerBetweenThreeSurfacesIsHeldAndReleased)
 {
     DeckText deck = two_parts(1.5e-3, 0, 1);
     deck.sheet(2, {0, 0, 0}, {30, 0, 0}, {0, 30, 0}, 6, 6);
@@ -116,8 +125,7 @@ TEST(ContactStability, CornerBetweenThreeSurfacesIsHeldAndReleased)
     deck.text +=
         fmt::format("*SET_NODE_LIST_GENERATE\n1\n1,{}\n*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n", walls - 1);
     const int first = deck.block(1, {1, 1, 1}, {11, 11, 11}, 2, 2, 2);
-    deck.text +=
-        "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n\n\n" + velocity_of_part(1, {-5e3, -5e3, -5e3});
+    deck.text += two_surfaces(GetParam()) + velocity_of_part(1, {-5e3, -5e3, -5e3});
     DeckRun run(deck.text);
     double least = 1e9;
     const Index corner = run.node(first);
@@ -132,12 +140,12 @@ TEST(ContactStability, CornerBetweenThreeSurfacesIsHeldAndReleased)
 }
 
 /// Elements of 10 against elements of 1: momentum passes, no node of either side slips through.
-TEST(ContactStability, MeshMismatchOfTenToOne)
+TEST_P(ContactStability, MeshMismatchOfTenToOne)
 {
     DeckText deck = two_parts(2e-4, 0, 0);
     const int coarse = deck.block(1, {0, 0, 0}, {20, 20, 10}, 2, 2, 1);
     const int fine = deck.block(2, {5.3, 5.4, 10.05}, {13.3, 13.4, 12.05}, 8, 8, 2);
-    deck.text += "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,3,3\n\n\n" + velocity_of_part(2, {0, 0, -1e4});
+    deck.text += two_surfaces(GetParam(), 2, 1) + velocity_of_part(2, {0, 0, -1e4});
     DeckRun run(deck.text);
     double deepest = 1e9;
     run.watch([&](const Clock&, const State& state) {
@@ -153,14 +161,14 @@ TEST(ContactStability, MeshMismatchOfTenToOne)
 
 /// Shells 5 thick with elements of 2: the sheet must not touch itself, and two such sheets bounce at their
 /// contact thickness.
-TEST(ContactStability, ThicknessBeyondTheElementSize)
+TEST_P(ContactStability, ThicknessBeyondTheElementSize)
 {
     DeckText deck = two_parts(1e-3, 5, 5);
     const int low = deck.sheet(1, {0, 0, 0}, {20, 0, 0}, {0, 20, 0}, 10, 10);
     const int high = deck.sheet(2, {1, 1, 6}, {18, 0, 0}, {0, 18, 0}, 9, 9);
     // SSTHK = 1: the full thickness also where the element is smaller.
     deck.text += "*CONTROL_CONTACT\n0.1\n0,0,0,0,0.0,1\n";
-    deck.text += single_surface + velocity_of_part(2, {0, 0, -3e3});
+    deck.text += single_surface(GetParam()) + velocity_of_part(2, {0, 0, -3e3});
     DeckRun run(deck.text);
     ASSERT_TRUE(run.scene);
     double at_rest = 0;
@@ -176,12 +184,12 @@ TEST(ContactStability, ThicknessBeyondTheElementSize)
 }
 
 /// 1,000 m/s: a steel cube on a plate of shells; momentum is kept and the cube does not pass unseen.
-TEST(ContactStability, ThousandMetresASecond)
+TEST_P(ContactStability, ThousandMetresASecond)
 {
     DeckText deck = two_parts(4e-5, 0, 3);
     deck.sheet(2, {-30, -30, 0}, {60, 0, 0}, {0, 60, 0}, 20, 20);
     const int cube = deck.block(1, {-5, -5, 1.6}, {5, 5, 11.6}, 4, 4, 4);
-    deck.text += single_surface + velocity_of_part(1, {0, 0, -1e6});
+    deck.text += single_surface(GetParam()) + velocity_of_part(1, {0, 0, -1e6});
     DeckRun run(deck.text);
     ASSERT_TRUE(run.scene);
     const double before = testing::Momenta(run.scene->state).linear.z;
@@ -194,7 +202,7 @@ TEST(ContactStability, ThousandMetresASecond)
 }
 
 /// Two blocks pressed together for 10,000 cycles: neither drift nor gain of energy.
-TEST(ContactStability, PressedBlocksNeitherDriftNorGainEnergy)
+TEST_P(ContactStability, PressedBlocksNeitherDriftNorGainEnergy)
 {
     DeckText deck = two_parts(1, 0, 0);
     deck.text += "*CONTROL_TERMINATION\n1.0,10000\n";
@@ -203,7 +211,8 @@ TEST(ContactStability, PressedBlocksNeitherDriftNorGainEnergy)
     deck.text += "*SET_NODE_LIST_GENERATE\n1\n1,25\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
                  "*DEFINE_CURVE\n1\n0.0,0.0\n4.0e-4,-100.0\n1.0,-100.0\n*LOAD_NODE_SET\n2,3,1,1.0\n";
     deck.text += fmt::format("*SET_NODE_LIST_GENERATE\n2\n{},{}\n", upper + 32, upper + 47);
-    deck.text += "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n0.1,0.1,0.0,0.0,20.0\n\n";
+    deck.text += fmt::format("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n0.1,0.1,0.0,0.0,20.0\n\n{}\n",
+                             GetParam());
     DeckRun run(deck.text);
     ASSERT_TRUE(run.scene);
     std::vector<Vec3> place;
@@ -232,9 +241,12 @@ TEST(ContactStability, PressedBlocksNeitherDriftNorGainEnergy)
     EXPECT_LT(run.scene->ledger.balance_error(), 0.005);
 }
 
+INSTANTIATE_TEST_SUITE_P(Soft, ContactStability, ::testing::Values(0, 1, 2),
+                         [](const auto& soft) { return fmt::format("{}", soft.param); });
+
 /// A ball bounces and rolls in a closed box of shells for 1e5 cycles and never gets out. The box is rigid and
 /// fixed; friction makes the ball roll and slowly stop.
-TEST(ContactStability, BallStaysInItsBox)
+TEST(ContactInABox, BallStaysInItsBox)
 {
     DeckText deck;
     deck.text +=

@@ -36,7 +36,7 @@ struct Scenery {
         PairSearch search(mesh, built.model.solids.nodes);
         search.update(mesh, motion);
         std::vector<Touch> found;
-        TouchFinder(mesh, motion, before, false).find(search.pairs(), 0, search.pairs().node.size(), found);
+        TouchFinder(mesh, motion, before, false).find(search.pairs(), 0, search.pairs().owner.size(), found);
         return found;
     }
 };

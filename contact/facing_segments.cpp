@@ -1,0 +1,431 @@
+#include "contact/facing_segments.h"
+
+#include "contact/closest_point.h"
+#include "core/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace plash {
+
+namespace {
+
+using PressFacet = ContactMesh::Facet;
+
+SegmentOverlap::Corners corners_of(const ContactMotion& motion, const PressFacet& facet)
+{
+    const auto& p = motion.position;
+    return {p[facet.corner[0]], p[facet.corner[1]], p[facet.corner[2]], p[facet.corner[3]]};
+}
+
+Vec3 middle_of(const SegmentOverlap::Corners& corner)
+{
+    return 0.25 * (corner[0] + corner[1] + corner[2] + corner[3]);
+}
+
+Vec3 at_shares(const std::array<double, 4>& share, const PressFacet& facet, std::span<const Vec3> field)
+{
+    Vec3 sum{};
+    for (int i = 0; i < 4; ++i) sum += share[i] * field[facet.corner[i]];
+    return sum;
+}
+
+/// Least and largest size of the distances of some points from a plane; least is 0 if they lie on both sides.
+struct PlaneDistance {
+    double least = 1e300, largest = 0;
+
+    PlaneDistance(const SegmentOverlap::Corners& points, const Vec3& origin, const Vec3& normal)
+    {
+        bool above = false, below = false;
+        for (const Vec3& point : points) {
+            const double distance = dot(point - origin, normal);
+            above = above || distance >= 0;
+            below = below || distance < 0;
+            least = std::min(least, std::abs(distance));
+            largest = std::max(largest, std::abs(distance));
+        }
+        if (above && below) least = 0;
+    }
+};
+
+double reach_of(const PressFacet& a, const PressFacet& b)
+{
+    return std::max(a.half_thickness + b.half_thickness, std::max(a.depth, b.depth));
+}
+
+/// Whether all of `points` lie beyond one side of a segment by more than `by`.
+bool beside_segment(const SegmentOverlap::Corners& points, const SegmentOverlap::Corners& segment,
+                    const Vec3& normal, double by)
+{
+    const Vec3 middle = middle_of(segment);
+    for (int i = 0; i < 4; ++i) {
+        Vec3 outward = unit(cross(segment[(i + 1) % 4] - segment[i], normal));
+        if (dot(outward, middle - segment[i]) > 0) outward = -outward;
+        if (dot(outward, outward) == 0) continue;
+        double least = 1e300;
+        for (const Vec3& point : points) least = std::min(least, dot(point - segment[i], outward));
+        if (least > by) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+FacingSegments::FacingSegments(const ContactMesh& mesh, const Options& options,
+                               std::vector<Friction> frictions, std::vector<double> area_mass)
+    : mesh_(mesh),
+      options_(options),
+      frictions_(std::move(frictions)),
+      area_mass_(std::move(area_mass)),
+      margin_(mesh.typical_size(0.5) / 3)
+{}
+
+void FacingSegments::clear()
+{
+    now_.clear();
+    before_.clear();
+}
+
+Vec3 FacingSegments::normal_of(const ContactMotion& motion, Index facet) const
+{
+    const auto q = corners_of(motion, mesh_.facets[facet]);
+    return segment_normal(SegmentCorners<double>{q[0], q[1], q[2], q[3]}, 0.5, 0.5);
+}
+
+/// As PairSearch: pairs hold until nodes may have moved relative to one another by the margin.
+bool FacingSegments::holds(const ContactMotion& motion)
+{
+    const std::vector<Vec3>& position = motion.position;
+    if (searched_at_.size() != position.size()) return false;
+    if (motion.travelled + motion.step_range < test_due_) return true;
+    Bounds moved;
+    for (std::size_t i = 0; i < position.size(); ++i) moved.add(position[i] - searched_at_[i]);
+    const double left = margin_ - norm(moved.high - moved.low);
+    test_due_ = motion.travelled + left;
+    return left >= motion.step_range;
+}
+
+bool FacingSegments::may_meet(Index a, Index b) const
+{
+    const PressFacet &first = mesh_.facets[a], &second = mesh_.facets[b];
+    if (options_.two_sided) {
+        const bool across = ((first.belongs & slave_bit) && (second.belongs & master_bit)) ||
+                            ((first.belongs & master_bit) && (second.belongs & slave_bit));
+        if (!across) return false;
+    }
+    if (first.rigid && second.rigid && first.part == second.part) return false;
+    const Index solid = mesh_.segments[a].solid;
+    if (solid != none && solid == mesh_.segments[b].solid) return false;
+    for (Index corner : first.corner) {
+        if (std::find(second.corner.begin(), second.corner.end(), corner) != second.corner.end())
+            return false;
+    }
+    return true;
+}
+
+void FacingSegments::search(const ContactMotion& motion)
+{
+    ++searches_;
+    searched_at_ = motion.position;
+    test_due_ = motion.travelled + margin_;
+    const double margin = std::max(margin_, 1.5 * motion.step_range);
+    const std::size_t count = mesh_.facets.size();
+    std::vector<Bounds> boxes(count);
+    std::vector<Vec3> normals(count);
+    for_chunks(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const PressFacet& facet = mesh_.facets[i];
+            if (!facet.exposed) continue;
+            for (Index corner : facet.corner) boxes[i].add(motion.position[corner]);
+            boxes[i].grow(std::max(facet.half_thickness, facet.depth) + 0.5 * margin);
+            normals[i] = normal_of(motion, static_cast<Index>(i));
+        }
+    });
+    BoundingTree tree;
+    tree.fit(boxes);
+    std::vector<std::vector<Pair>> found((count + chunk_length - 1) / chunk_length);
+    for_chunks(count, [&](std::size_t begin, std::size_t end) {
+        std::vector<Index> others;
+        for (std::size_t i = begin; i < end; ++i) {
+            const Index a = static_cast<Index>(i);
+            if (!mesh_.facets[i].exposed) continue;
+            const auto at_a = corners_of(motion, mesh_.facets[i]);
+            others.clear();
+            tree.query(boxes[i], [&](Index b) {
+                if (b <= a || !may_meet(a, b)) return;
+                // Seen along the mean of both normals, 30 degrees at most from either, they may overlap.
+                const auto at_b = corners_of(motion, mesh_.facets[b]);
+                const PlaneDistance off(at_a, middle_of(at_b), normals[b]);
+                const PlaneDistance warp(at_b, middle_of(at_b), normals[b]);
+                if (off.least > reach_of(mesh_.facets[a], mesh_.facets[b]) + margin + warp.largest) return;
+                if (beside_segment(at_a, at_b, normals[b], 1.6 * margin + 0.6 * (off.largest + warp.largest)))
+                    return;
+                others.push_back(b);
+            });
+            std::sort(others.begin(), others.end());
+            for (Index b : others) found[begin / chunk_length].push_back({a, b, 0});
+        }
+    });
+    pairs_.clear();
+    for (const auto& part : found) pairs_.insert(pairs_.end(), part.begin(), part.end());
+    find_sharp_nodes(motion);
+}
+
+/// Rims, lone nodes, and nodes whose facets turn by more than 37 degrees.
+void FacingSegments::find_sharp_nodes(const ContactMotion& motion)
+{
+    sharp_.assign(mesh_.nodes.size(), 1);
+    for_chunks(sharp_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Index node = static_cast<Index>(i);
+            const auto around = mesh_.facets_at_node(node);
+            if (around.empty() || mesh_.on_rim[i]) continue;
+            bool sharp = false;
+            for (std::size_t k = 1; k < around.size(); ++k) {
+                const double along = dot(normal_of(motion, around[0]), normal_of(motion, around[k]));
+                sharp = sharp || (mesh_.facets[around[k]].one_sided ? along : std::abs(along)) < 0.8;
+            }
+            sharp_[i] = sharp;
+        }
+    });
+    find_extents();
+}
+
+/// Rings of facets between each facet and the next rim or sharp edge, four at most, times its size.
+void FacingSegments::find_extents()
+{
+    constexpr int rings = 4;
+    std::vector<int> ring(mesh_.nodes.size(), rings);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        if (sharp_[i]) ring[i] = 0;
+    const auto least = [&](const PressFacet& facet) {
+        int least = rings;
+        for (Index corner : facet.corner) least = std::min(least, ring[corner]);
+        return least;
+    };
+    for (int round = 1; round < rings; ++round) {
+        for (const PressFacet& facet : mesh_.facets) {
+            if (!facet.exposed || least(facet) != round - 1) continue;
+            for (Index corner : facet.corner) ring[corner] = std::min(ring[corner], round);
+        }
+    }
+    extent_.resize(mesh_.facets.size());
+    for (std::size_t i = 0; i < extent_.size(); ++i)
+        extent_[i] = (least(mesh_.facets[i]) + 0.25) * mesh_.facets[i].size;
+}
+
+double FacingSegments::node_weight(const ContactMotion& motion, Index node, const Vec3& normal) const
+{
+    double facing = 0;
+    for (Index facet : mesh_.facets_at_node(node)) {
+        const double along = -dot(normal_of(motion, facet), normal);
+        facing = std::max(facing, mesh_.facets[facet].one_sided ? along : std::abs(along));
+    }
+    return 1 - facing_weight(facing);
+}
+
+double FacingSegments::areal_stiffness(Index a, Index b, double step) const
+{
+    const double first = area_mass_[a], second = area_mass_[b];
+    if (!(first > 0) || !(second > 0) || step == 0) return 0;
+    const double scale = 0.5 * (options_.stiffness_scale[mesh_.facets[a].belongs - 1] +
+                                options_.stiffness_scale[mesh_.facets[b].belongs - 1]);
+    return scale * first * second / (first + second) / (step * step);
+}
+
+const FacingTouch* FacingSegments::old_touch(Index a, Index b) const
+{
+    const std::pair<Index, Index> key = std::minmax(a, b);
+    const auto found = std::lower_bound(before_.begin(), before_.end(), key,
+                                        [](const FacingTouch& touch, const auto& wanted) {
+                                            return std::pair(touch.first, touch.second) < wanted;
+                                        });
+    const bool there = found != before_.end() && std::pair(found->first, found->second) == key;
+    return there ? &*found : nullptr;
+}
+
+/// The touch of the last step of one of the two with a neighbour of the other, from about this direction: as
+/// segments slide, they meet one after the other. turned: it has them the other way round.
+const FacingTouch* FacingSegments::old_beside(Index a, Index b, const Vec3& direction, bool& turned) const
+{
+    if (before_.empty()) return nullptr;
+    const FacingTouch* best = nullptr;
+    double nearest = 0.5;
+    const auto look = [&](Index x, Index y, bool swapped) {
+        const FacingTouch* old = old_touch(x, y);
+        if (!old) return;
+        const double along = std::abs(dot(old->normal, direction));
+        if (along <= nearest) return;
+        nearest = along;
+        best = old;
+        turned = swapped != (x > y);
+    };
+    for (Index corner : mesh_.facets[b].corner)
+        for (Index other : mesh_.facets_at_node(corner))
+            if (other != b && other != a) look(a, other, false);
+    for (Index corner : mesh_.facets[a].corner)
+        for (Index other : mesh_.facets_at_node(corner))
+            if (other != a && other != b) look(other, b, false);
+    return best;
+}
+
+Friction FacingSegments::friction_of(Index a, Index b) const
+{
+    const auto of = [&](Index facet) -> const Friction& {
+        const Index part = mesh_.facets[facet].part;
+        return part == none ? frictions_.back() : frictions_[part];
+    };
+    const Friction &first = of(a), &second = of(b);
+    if (!options_.mixed_friction) return first;
+    return {0.5 * (first.at_rest + second.at_rest), 0.5 * (first.moving + second.moving),
+            0.5 * (first.decay + second.decay), 0.5 * (first.shear_cap + second.shear_cap)};
+}
+
+bool FacingSegments::touch_of(const ContactMotion& motion, double step, Pair& pair, FacingTouch& touch) const
+{
+    const PressFacet &a = mesh_.facets[pair.first], &b = mesh_.facets[pair.second];
+    const auto at_a = corners_of(motion, a), at_b = corners_of(motion, b);
+    const Vec3 to_a = normal_of(motion, pair.first), to_b = normal_of(motion, pair.second);
+    const Vec3 middle_a = middle_of(at_a), middle_b = middle_of(at_b);
+    const double reach = reach_of(a, b);
+    const PlaneDistance off(at_a, middle_b, to_b), warp(at_b, middle_b, to_b);
+    pair.due = motion.travelled + off.least - warp.largest - reach;
+    if (off.least - warp.largest > reach + motion.step_range) return false;
+
+    const double along = dot(to_a, to_b);
+    if (a.one_sided && b.one_sided && along > 0) return false;
+    const double weight = facing_weight(std::abs(along));
+    const FacingTouch* old = old_touch(pair.first, pair.second);
+    if (weight == 0 && !old) return false;
+    const double first_extent = std::pow(extent_[pair.first], 4),
+                 second_extent = std::pow(extent_[pair.second], 4);
+    Vec3 normal = unit(second_extent * to_b + (along < 0 ? -first_extent : first_extent) * to_a);
+    bool fixed = a.one_sided || b.one_sided;
+    if (a.one_sided ? dot(normal, to_a) > 0 : b.one_sided && dot(normal, to_b) < 0) normal = -normal;
+    bool turned = false;
+    if (!old) old = old_beside(pair.first, pair.second, normal, turned);
+    const Vec3 old_normal = old ? (turned ? -1.0 : 1.0) * old->normal : Vec3{};
+    if (fixed) {
+        if (old && dot(old_normal, normal) < 0) old = nullptr;
+    } else if (old) {
+        if (dot(old_normal, normal) < 0) normal = -normal;
+        fixed = true;
+    } else if (dot(middle_a - middle_b, normal) < 0) {
+        normal = -normal;
+    }
+    const double gap = a.half_thickness + b.half_thickness;
+    std::optional<SegmentOverlap> overlap(std::in_place, at_a, at_b, normal, gap);
+    if (overlap->empty()) return false;
+    if (!fixed) { // shells that meet: the side on which they were a step ago
+        std::array<Vec3, 2> place{};
+        const auto first = overlap->first_middle(), second = overlap->second_middle();
+        for (int i = 0; i < 4; ++i) {
+            const bool known = motion.last_step > 0;
+            place[0] += first[i] * (known ? motion.previous(a.corner[i]) : at_a[i]);
+            place[1] += second[i] * (known ? motion.previous(b.corner[i]) : at_b[i]);
+        }
+        if (dot(place[0] - place[1], normal) < 0) {
+            normal = -normal;
+            overlap.emplace(at_a, at_b, normal, gap);
+        }
+    }
+    touch.penetration = overlap->deepest();
+    const double distance = gap - touch.penetration;
+    if (touch.penetration <= 0 || distance < -std::max(a.depth, b.depth)) return false;
+    touch.first = pair.first;
+    touch.second = pair.second;
+    touch.normal = normal;
+    // A stiffness that grew under load would make energy.
+    const bool goes_on = old && old->weight > 0 && dot(old_normal, normal) > 0.98;
+    touch.weight = goes_on ? old->weight : weight;
+    if (old) {
+        touch.baseline = std::min(old->baseline, touch.penetration);
+        touch.rounding = old->rounding;
+        // A pair that is new grows from nothing, and so does its friction.
+        if (old->first == pair.first && old->second == pair.second) touch.friction = old->friction;
+    } else {
+        const double closing = dot(at_shares(overlap->second_middle(), b, motion.velocity) -
+                                       at_shares(overlap->first_middle(), a, motion.velocity),
+                                   normal);
+        const double approach = std::max(0.0, closing) * motion.last_step;
+        const bool sided = a.one_sided || b.one_sided;
+        if (sided && motion.last_step > 0 && distance < 0 &&
+            distance + motion.last_step * closing < -0.1 * std::max(a.depth, b.depth))
+            return false; // they come from within
+        touch.baseline = std::max(0.0, touch.penetration - 1.5 * approach);
+        touch.rounding = approach;
+    }
+    // By the area that the facet had at the start: a face that is stretched or tilted under load is no
+    // stiffer.
+    const double share = second_extent / (first_extent + second_extent);
+    const double area = share * a.size * a.size / overlap->first_area() +
+                        (1 - share) * b.size * b.size / overlap->second_area();
+    apply_law(motion, area * areal_stiffness(pair.first, pair.second, step), *overlap, touch);
+    return true;
+}
+
+/// Shares and forces of a touch.
+void FacingSegments::apply_law(const ContactMotion& motion, double stiffness, const SegmentOverlap& overlap,
+                               FacingTouch& touch) const
+{
+    const PressFacet &a = mesh_.facets[touch.first], &b = mesh_.facets[touch.second];
+    const auto load = overlap.load({touch.weight * stiffness, touch.baseline, touch.rounding});
+    touch.on_first = load.first;
+    touch.on_second = load.second;
+    touch.area = load.area;
+    touch.stiffness = touch.weight * stiffness * load.area;
+    const Vec3 velocity =
+        at_shares(load.first, a, motion.velocity) - at_shares(load.second, b, motion.velocity);
+    const double closing = -dot(velocity, touch.normal);
+    double pressing = load.force;
+    if (pressing > 0 && options_.damping > 0) {
+        const double damping =
+            damping_coefficient(options_.damping, touch.stiffness, area_mass_[touch.first] * load.area,
+                                area_mass_[touch.second] * load.area);
+        pressing = std::max(0.0, pressing + damping * closing);
+    }
+    const Friction friction = friction_of(touch.first, touch.second);
+    const Vec3 slip = motion.last_step * (velocity + closing * touch.normal);
+    const Vec3 before = touch.friction;
+    touch.friction = {};
+    if (friction.any()) {
+        const double speed = motion.last_step > 0 ? norm(slip) / motion.last_step : 0;
+        double limit = options_.friction_scale * friction.coefficient(speed) * pressing;
+        if (friction.shear_cap > 0) limit = std::min(limit, friction.shear_cap * load.area);
+        touch.friction = friction_force(before, touch.normal, slip, touch.stiffness, limit);
+    }
+    touch.force = pressing * touch.normal + touch.friction;
+    touch.friction_loss = -0.5 * dot(before + touch.friction, slip);
+}
+
+double FacingSegments::find(const ContactMotion& motion, double step)
+{
+    if (!holds(motion)) search(motion);
+    std::swap(now_, before_);
+    now_.clear();
+    const double now = motion.travelled + motion.step_range;
+    std::vector<std::vector<FacingTouch>> found((pairs_.size() + chunk_length - 1) / chunk_length);
+    for_chunks(pairs_.size(), [&](std::size_t begin, std::size_t end) {
+        auto& touches = found[begin / chunk_length];
+        for (std::size_t i = begin; i < end; ++i) {
+            if (pairs_[i].due > now) continue;
+            FacingTouch touch;
+            if (touch_of(motion, step, pairs_[i], touch)) touches.push_back(touch);
+        }
+    });
+    double loss = 0;
+    for (const auto& touches : found) {
+        now_.insert(now_.end(), touches.begin(), touches.end());
+        for (const FacingTouch& touch : touches) loss += touch.friction_loss;
+    }
+    return loss;
+}
+
+void FacingSegments::serialise(Archive& archive)
+{
+    archive(pairs_, searched_at_, test_due_, sharp_, extent_, now_, searches_);
+}
+
+} // namespace plash

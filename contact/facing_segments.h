@@ -1,0 +1,111 @@
+#pragma once
+
+#include "contact/bounding_tree.h"
+#include "contact/mesh_motion.h"
+#include "contact/penalty_law.h"
+#include "contact/segment_overlap.h"
+#include "core/archive.h"
+
+#include <algorithm>
+
+namespace plash {
+
+/// Two segments that press on one another, with what they remember from cycle to cycle.
+struct FacingTouch {
+    Index first = none, second = none; ///< facets of the mesh, first < second
+    Vec3 normal{};                     ///< unit, from the second to the first
+    double penetration = 0;            ///< the deepest: gap less the distance along `normal` [length]
+    double baseline = 0, rounding = 0; ///< as in Touch [length]
+    double weight = 0;                 ///< facing_weight() at its onset
+    double area = 0;                   ///< over which they press [area]
+    double stiffness = 0;              ///< of that area [force/length]
+    std::array<double, 4> on_first{}, on_second{}; ///< shares of the corners in the force
+    Vec3 friction{};                               ///< tangential force on the first [force]
+    Vec3 force{};                                  ///< whole force on the first [force]
+    double friction_loss = 0;                      ///< what friction took in the last step [energy]
+};
+
+/// How far two surfaces whose outward normals meet at cosine -c face one another: 1 up to 37 degrees of tilt,
+/// 0 from 60 degrees on. What is missing to 1 is left to nodes on segments: rims of shells on faces, sharp
+/// corners.
+inline double facing_weight(double c)
+{
+    return std::min(1.0, std::max(0.0, (c - 0.5) / 0.3));
+}
+
+/// Contact of segments with segments (SOFT = 2).
+///
+/// Pairs of facets that face one another press where their projections along a mean of their normals overlap
+/// (SegmentOverlap). The normal of the facet that is farther from a rim or a sharp edge counts more, with the
+/// fourth power of that distance: a corner that is pushed into a plate is pushed back along the plate's
+/// normal; along its own faces' it would be driven sideways, and the forces would have no energy.
+///
+/// Stiffness per area at the start, from LS-DYNA's formula for a pair (keyword manual, *CONTACT, optional
+/// card A: SLSFAC SFS m1 m2 / (m1 + m2) / (2 dt^2) with segment masses, those of a shell or of half a solid)
+/// for each of the two: SLSFAC SFS mu1 mu2 / (mu1 + mu2) / dt^2 with masses per area. LS-DYNA measures
+/// penetration at nodes and divides the force over the pair; here the pressure is integrated, so that meshes
+/// that do not match hand it on evenly.
+class FacingSegments {
+public:
+    struct Options {
+        std::array<double, 3> stiffness_scale{}; ///< SLSFAC SFS by sides that a facet belongs to (bits - 1)
+        double damping = 0;                      ///< VDC [percent of critical]
+        double friction_scale = 1;               ///< FSF
+        bool two_sided = false;                  ///< one surface against another: no touches within one
+        bool mixed_friction = false;             ///< FS = -1: mean of both parts' values
+    };
+
+    FacingSegments(const ContactMesh& mesh, const Options& options, std::vector<Friction> frictions,
+                   std::vector<double> area_mass);
+
+    /// Finds all touches and their forces at n; step: that of the stiffness [time].
+    /// Returns what friction took in the last step.
+    double find(const ContactMotion& motion, double step);
+    /// The next find() looks for pairs anew (surfaces have changed).
+    void forget() { searched_at_.clear(); }
+    void clear();
+
+    const std::vector<FacingTouch>& touches() const { return now_; }
+    const ContactMesh& mesh() const { return mesh_; }
+    /// Nodes that may still touch segments by themselves, as rims and sharp corners do; changes with every
+    /// search.
+    const std::vector<std::uint8_t>& sharp_nodes() const { return sharp_; }
+    /// Weight of a node's own touch from this direction.
+    double node_weight(const ContactMotion& motion, Index node, const Vec3& normal) const;
+    long searches() const { return searches_; }
+    void serialise(Archive& archive);
+
+private:
+    struct Pair {
+        Index first = none, second = none;
+        double due = 0; ///< path before which they cannot touch [length]
+    };
+    const ContactMesh& mesh_;
+    Options options_;
+    std::vector<Friction> frictions_; ///< by part; the last: of facets without one
+    std::vector<double> area_mass_;   ///< by facet [mass/area]
+    double margin_ = 0;
+    std::vector<Pair> pairs_;
+    std::vector<Vec3> searched_at_;
+    double test_due_ = 0;
+    std::vector<std::uint8_t> sharp_;
+    std::vector<double> extent_; ///< by facet: how far it is from the next rim or sharp edge [length]
+    std::vector<FacingTouch> now_, before_; ///< in the order of pairs
+    long searches_ = 0;
+
+    bool holds(const ContactMotion& motion);
+    void search(const ContactMotion& motion);
+    bool may_meet(Index a, Index b) const;
+    void find_sharp_nodes(const ContactMotion& motion);
+    void find_extents();
+    double areal_stiffness(Index a, Index b, double step) const;
+    const FacingTouch* old_touch(Index a, Index b) const;
+    const FacingTouch* old_beside(Index a, Index b, const Vec3& direction, bool& turned) const;
+    bool touch_of(const ContactMotion& motion, double step, Pair& pair, FacingTouch& touch) const;
+    void apply_law(const ContactMotion& motion, double stiffness, const SegmentOverlap& overlap,
+                   FacingTouch& touch) const;
+    Friction friction_of(Index a, Index b) const;
+    Vec3 normal_of(const ContactMotion& motion, Index facet) const;
+};
+
+} // namespace plash
