@@ -120,6 +120,7 @@ private:
     };
     NodeLoads node_loads() const;
     void add_pressures(std::vector<double>& pressure) const;
+    void add_faces(std::vector<ElementResults::ContactFace>& faces) const;
     void add_to(const Clock& clock, State& state);
 };
 

@@ -49,6 +49,7 @@ void SurfaceContact::collect(const State& state, ElementResults& results) const
         }
     }
     if (!results.contact_pressure.empty() && !nothing_touches()) add_pressures(results.contact_pressure);
+    if (results.contact_faces_wanted) add_faces(results.contact_faces);
     results.contacts.push_back(sum);
 }
 
@@ -114,6 +115,40 @@ void SurfaceContact::add_pressures(std::vector<double>& pressure) const
     for (std::size_t i = 0; i < loads.normal.size(); ++i) {
         if (loads.normal[i] > 0 && loads.area[i] > 0)
             pressure[mesh_.nodes[i].node] += loads.normal[i] / loads.area[i];
+    }
+}
+
+/// Each exposed facet with the mean of what acts at its corners.
+void SurfaceContact::add_faces(std::vector<ElementResults::ContactFace>& faces) const
+{
+    std::vector<double> deepest(mesh_.facets.size());
+    const auto mark = [&](Index facet, double penetration) {
+        deepest[facet] = std::max(deepest[facet], penetration);
+    };
+    now_.for_each([&](const Touch& touch) { mark(touch.facet, touch.penetration); });
+    for (std::size_t number = 0; facing_ && number < facing_->touches().size(); ++number) {
+        mark(facing_->touches()[number].first, facing_->touches()[number].penetration);
+        mark(facing_->touches()[number].second, facing_->touches()[number].penetration);
+    }
+    NodeLoads loads{std::vector<double>(mesh_.nodes.size()), {}, std::vector<Vec3>(mesh_.nodes.size())};
+    if (!motion_.position.empty()) loads = node_loads();
+    for (std::size_t number = 0; number < mesh_.facets.size(); ++number) {
+        const ContactMesh::Facet& facet = mesh_.facets[number];
+        if (!facet.exposed) continue;
+        ElementResults::ContactFace face;
+        face.contact = contact_.id;
+        face.part = facet.part;
+        face.sides = facet.belongs;
+        face.nodes = mesh_.segments[number].nodes;
+        face.penetration = deepest[number];
+        const int corners = facet.triangle() ? 3 : 4;
+        for (int i = 0; i < corners; ++i) {
+            const Index corner = facet.corner[i];
+            if (loads.area.empty() || !(loads.area[corner] > 0)) continue;
+            face.pressure += loads.normal[corner] / loads.area[corner] / corners;
+            face.shear += (1 / loads.area[corner] / corners) * loads.friction[corner];
+        }
+        faces.push_back(face);
     }
 }
 

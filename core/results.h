@@ -167,6 +167,19 @@ struct ElementResults {
     /// unless wanted [stress].
     std::vector<double> contact_pressure;
 
+    /// An exposed segment of a contact with what acts on it.
+    struct ContactFace {
+        Id contact = 0;
+        Index part = none;
+        int sides = 1;                ///< 1 of the first surface, 2 of the second, 3 of both
+        std::array<Index, 4> nodes{}; ///< State indices; a triangle repeats the third
+        double pressure = 0;          ///< mean of its corners' [stress]
+        Vec3 shear{};                 ///< friction on the face, likewise [stress]
+        double penetration = 0;       ///< deepest of its touches [length]
+    };
+    bool contact_faces_wanted = false; ///< the list below is filled only then
+    std::vector<ContactFace> contact_faces;
+
     /// Force of Eulerian fluids on each node, summed by the couplings' terms; empty unless wanted [force].
     std::vector<Vec3> coupling_force;
 

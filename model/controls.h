@@ -67,6 +67,7 @@ struct RestartRequest {
 struct OutputControls {
     std::map<std::string, OutputRequest> ascii; ///< by lower-case file name: "glstat", "nodout" ...
     OutputRequest d3plot;
+    OutputRequest intfor; ///< *DATABASE_BINARY_INTFOR
     RestartRequest restart;
     std::vector<Index> history_nodes;
     std::vector<Index> history_shells;

@@ -9,6 +9,7 @@
 #include "output/elout.h"
 #include "output/glstat.h"
 #include "output/history_file.h"
+#include "output/interface_series.h"
 #include "output/jntforc.h"
 #include "output/lsda_file.h"
 #include "output/matsum.h"
@@ -169,6 +170,11 @@ std::vector<std::unique_ptr<Recorder>> make_recorders(const Model& model, const 
     if (asked_for(d3plot)) {
         recorders.push_back(
             std::make_unique<D3plotRecorder>(model, schedule_of(d3plot, model), path_of("/d3plot")));
+    }
+    const OutputRequest& intfor = model.controls.output.intfor;
+    if (asked_for(intfor) && !model.contacts.empty()) {
+        recorders.push_back(
+            std::make_unique<InterfaceSeries>(model, schedule_of(intfor, model), path_of("")));
     }
     if (options.vtk) {
         const Schedule schedule =

@@ -42,6 +42,19 @@ void read_d3plot(const Record& record, const Block&, Reading& reading)
     request.states = static_cast<int>(record.integer("NPLTC"));
 }
 
+void read_intfor(const Record& record, const Block&, Reading& reading)
+{
+    OutputRequest& request = reading.model.controls.output.intfor;
+    request = request_of(record, "LCDT", reading);
+    request.states = static_cast<int>(record.integer("NPLTC"));
+}
+
+void read_intfor_file(const Record& record, const Block& block, Reading& reading)
+{
+    read_intfor(record, block, reading);
+    reading.warning(record, "FILENAME", "interface.pvd is the name of what Plash writes");
+}
+
 /// The interval of restart files counts cycles. Decks write it as a real number, and one so large that it
 /// means never.
 long cycles_between(const Record& record, Reading& reading)
@@ -303,6 +316,8 @@ constexpr Translator database_table[] = {
     {"DATABASE_NCFORC", Phase::conditions, read_ascii},
     {"DATABASE_SPHOUT", Phase::conditions, read_ascii},
     {"DATABASE_BINARY_D3PLOT", Phase::conditions, read_d3plot},
+    {"DATABASE_BINARY_INTFOR", Phase::conditions, read_intfor},
+    {"DATABASE_BINARY_INTFOR_FILE", Phase::conditions, read_intfor_file},
     {"DATABASE_BINARY_D3DUMP", Phase::conditions, read_d3dump},
     {"DATABASE_BINARY_RUNRSF", Phase::conditions, read_runrsf},
     {"DATABASE_EXTENT_BINARY", Phase::conditions, read_extent},
