@@ -82,7 +82,7 @@ void TiedSprings::hold(const TiedPoint& point, double side, double stiffness, do
     spring.area = area;
     const double own = contact_.tie.normal_stiffness * area;
     spring.unscaled = own > 0 ? own : contact_.penalty_scale * stiffness;
-    if (longest_step_ > 0) set_stiffness(spring, state);
+    if (first_step_ > 0) set_stiffness(spring, state);
     springs_.push_back(spring);
     set_vote(state);
 }
@@ -105,7 +105,7 @@ void TiedSprings::set_stiffness(Spring& spring, const State& state) const
         if (state.mass[corner] > 0) smallest = std::min(smallest, state.mass[corner]);
     }
     if (smallest == 1e300) smallest = 0;
-    const double step2 = longest_step_ * longest_step_;
+    const double step2 = first_step_ * first_step_;
     const double soft = 0.5 * contact_.soft_scale * smallest / step2;
     spring.stiffness = spring.unscaled;
     if (contact_.soft != 0 || spring.unscaled == 0) spring.stiffness = std::max(spring.unscaled, soft);
@@ -229,8 +229,8 @@ void TiedSprings::add_forces(const Clock& clock, State& state)
     released_.clear();
     follow_erosion(state);
     if (clock.time < contact_.birth || clock.time > contact_.death) return;
-    if (clock.last_step > 0 && longest_step_ == 0) {
-        longest_step_ = clock.last_step;
+    if (clock.last_step > 0 && first_step_ == 0) {
+        first_step_ = clock.last_step;
         for (Spring& spring : springs_) set_stiffness(spring, state);
         set_vote(state);
     }
@@ -293,7 +293,7 @@ void TiedSprings::collect_nodes(std::vector<Vec3>& contact_force) const
 
 void TiedSprings::serialise(Archive& archive)
 {
-    archive(springs_, broken_, slave_energy_, master_energy_, deletions_seen_, longest_step_);
+    archive(springs_, broken_, slave_energy_, master_energy_, deletions_seen_, first_step_);
     archive(vote_.step, vote_.element);
     vote_.kind = voter;
 }

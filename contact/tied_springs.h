@@ -74,7 +74,7 @@ private:
     bool rotations_ = false;
     double slave_energy_ = 0, master_energy_ = 0;
     long deletions_seen_ = 0;
-    double longest_step_ = 0;
+    double first_step_ = 0;
     StepVote vote_;
 
     void set_stiffness(Spring& spring, const State& state) const;
