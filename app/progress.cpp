@@ -42,6 +42,18 @@ void Progress::write(const Snapshot& snapshot)
     std::fflush(stdout);
 }
 
+void Progress::write_relaxation(const Snapshot& snapshot, const RelaxationLook& look)
+{
+    if (!look.last && WallClock::now() < next_) return;
+    next_ = WallClock::now() + std::chrono::seconds(terminal_ ? 1 : 10);
+    if (terminal_ && shown_) fmt::print("\r\033[K");
+    shown_ = !look.last;
+    fmt::print("  dynamic relaxation: cycle {:>9}   t {:.5e}   kinetic energy {:.4e}, {:.2e} of its peak",
+               snapshot.clock.cycle, snapshot.clock.time, look.energy, look.ratio);
+    if (!terminal_ || look.last) fmt::print("{}\n", look.last ? "; ended" : "");
+    std::fflush(stdout);
+}
+
 void Progress::finish(const Snapshot& snapshot)
 {
     if (terminal_ && shown_) fmt::print("\r\033[K");

@@ -14,6 +14,7 @@ public:
 
     double next_time() const override;
     void write(const Snapshot& snapshot) override;
+    void write_relaxation(const Snapshot& snapshot, const RelaxationLook& look) override;
     void finish(const Snapshot& snapshot) override;
 
 private:

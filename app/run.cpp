@@ -216,6 +216,13 @@ int run_deck(const RunArguments& arguments)
     if (!restart_from.empty()) log.say(fmt::format("  goes on from {}", restart_from));
     const Outcome outcome = run(
         *scene, recorders, {end_time, &stop_requested, {directory, arguments.restart_minutes}, restart_from});
+    if (const RelaxationOutcome& relaxation = outcome.relaxation; relaxation.ran) {
+        log.say(
+            fmt::format("dynamic relaxation {} after {} cycles at t = {:.6e}: kinetic energy {:.3e} of its "
+                        "peak, {:.4e} thrown away; energy balance error {:.3f} %",
+                        relaxation.converged ? "converged" : "was ended", relaxation.cycles, relaxation.time,
+                        relaxation.ratio, relaxation.lost_kinetic, 100 * relaxation.balance_error));
+    }
     const RunSummary summary = summarise(arguments, *scene, outcome);
     write_summary(summary, directory);
     print_end(summary, log);

@@ -73,7 +73,7 @@ void BodyLoads::add_everywhere(const Clock& clock, State& state)
 {
     Vec3 sum{};
     for (const BodyLoad* load : all_.loads) {
-        sum += (load->scale * curve_value(model_, load->curve, clock.time)) * load->direction;
+        sum += body_load_value(model_, *load, clock) * load->direction;
     }
     const Vec3 now = -sum;
     const Vec3 mean = 0.5 * (now + all_.last_acceleration);
@@ -90,7 +90,7 @@ void BodyLoads::add_everywhere(const Clock& clock, State& state)
 
 void BodyLoads::add_local(const Clock& clock, Local& local, State& state)
 {
-    const double value = local.load->scale * curve_value(model_, local.load->curve, clock.time);
+    const double value = body_load_value(model_, *local.load, clock);
     work_ += clock.last_step * sum_chunks(local.nodes.size(), [&](std::size_t begin, std::size_t end) {
                  double power = 0;
                  for (std::size_t i = begin; i < end; ++i) {

@@ -116,7 +116,7 @@ void Damping::constrain(const Clock& clock, State& state)
     for (const Group& group : groups_) {
         const NodeDamping& damping = *group.damping;
         const bool active = clock.time >= damping.birth && clock.time <= damping.death;
-        const double rate = active ? damping.rate * curve_value(model_, damping.curve, clock.time) : 0;
+        const double rate = active ? damping.rate * load_value(model_, damping.curve, clock, clock.time) : 0;
         const bool relative = !damping.reference_nodes.empty();
         const RigidMotion frame = relative ? motion_of(damping.reference_nodes, state) : RigidMotion{};
         const double power = sum_chunks(group.end - group.begin, [&](std::size_t begin, std::size_t end) {

@@ -56,16 +56,16 @@ bool PressureLoads::deleted(std::size_t segment, const State& state) const
     return false;
 }
 
-double PressureLoads::pressure_of(const PressureLoad& load, double time) const
+double PressureLoads::pressure_of(const PressureLoad& load, const Clock& clock) const
 {
-    if (time < load.arrival) return 0;
-    return load.scale * curve_value(model_, load.curve, time - load.arrival);
+    if (clock.time < load.arrival) return 0;
+    return load.scale * load_value(model_, load.curve, clock, clock.time - load.arrival);
 }
 
 void PressureLoads::add_forces(const Clock& clock, State& state)
 {
     std::vector<double> pressure;
-    for (const PressureLoad& load : model_.pressure_loads) pressure.push_back(pressure_of(load, clock.time));
+    for (const PressureLoad& load : model_.pressure_loads) pressure.push_back(pressure_of(load, clock));
     work_ += clock.last_step * sum_chunks(segments_.size(), [&](std::size_t begin, std::size_t end) {
                  double power = 0;
                  for (std::size_t i = begin; i < end; ++i) {

@@ -31,7 +31,7 @@ private:
 
     void find_elements();
     bool deleted(std::size_t segment, const State& state) const;
-    double pressure_of(const PressureLoad& load, double time) const;
+    double pressure_of(const PressureLoad& load, const Clock& clock) const;
 };
 
 } // namespace plash

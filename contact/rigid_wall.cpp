@@ -59,7 +59,7 @@ WallMeeting RigidWallTerm::meeting_of(std::size_t i, const Clock& clock, const S
 Vec3 RigidWallTerm::next_velocity(const Clock& clock, const State& state)
 {
     if (wall_.motion_curve != none) {
-        const auto curve = [&](double time) { return curve_value(model_, wall_.motion_curve, time); };
+        const auto curve = [&](double time) { return load_value(model_, wall_.motion_curve, clock, time); };
         const double rate = wall_.motion_is_displacement
                                 ? (curve(clock.time + clock.step) - curve(clock.time)) / clock.step
                                 : curve(clock.time + 0.5 * clock.step);

@@ -13,8 +13,21 @@ void EnergyLedger::open_cycle(std::size_t part_count)
     part_hourglass.assign(part_count, 0);
 }
 
+void EnergyLedger::start_anew()
+{
+    started_ = false;
+    anew_ = true;
+    largest_error = largest_turnover = 0;
+}
+
 void EnergyLedger::close_cycle()
 {
+    if (anew_ && !started_) before_ = {external_work, preload_work, damping, rigid_wall, sliding};
+    external_work -= before_.external_work;
+    preload_work -= before_.preload_work;
+    damping -= before_.damping;
+    rigid_wall -= before_.rigid_wall;
+    sliding -= before_.sliding;
     if (!started_) {
         initial_total = total() - external_work - preload_work;
         started_ = true;

@@ -36,6 +36,10 @@ struct EnergyLedger {
     double largest_turnover =
         0; ///< largest of |initial + external work| and kinetic + internal so far [energy]
 
+    /// The balance begins anew with the energies of the next cycle: work, damping and losses so far are left
+    /// out from then on (end of dynamic relaxation).
+    void start_anew();
+
     /// Zeroes what terms book anew each cycle; the balance over the run stays.
     void open_cycle(std::size_t part_count);
     /// Takes the sums of this cycle into the balance.
@@ -45,14 +49,23 @@ struct EnergyLedger {
     void add_part(int part, double internal_energy, double hourglass_energy);
 
     /// The balance over the run; terms book the rest anew.
-    void serialise(Archive& archive) { archive(initial_total, largest_error, largest_turnover, started_); }
+    void serialise(Archive& archive)
+    {
+        archive(initial_total, largest_error, largest_turnover, started_, anew_, before_);
+    }
 
     double total() const;
     /// Largest balance error of the run over its largest turnover [-].
     double balance_error() const { return largest_turnover > 0 ? largest_error / largest_turnover : 0; }
 
 private:
+    /// What loads, preloads, damping and walls had put in or taken out before the balance began anew.
+    struct Before {
+        double external_work = 0, preload_work = 0, damping = 0, rigid_wall = 0, sliding = 0;
+    };
     bool started_ = false;
+    bool anew_ = false;
+    Before before_;
 };
 
 } // namespace plash

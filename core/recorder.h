@@ -25,6 +25,14 @@ struct Snapshot {
     void collect(ElementResults& results) const;
 };
 
+/// How far dynamic relaxation has come at one of its looks.
+struct RelaxationLook {
+    double energy = 0; ///< kinetic, without that of the motion as a whole [energy]
+    double peak = 0;   ///< the largest so far [energy]
+    double ratio = 0;  ///< energy over peak [-]
+    bool last = false; ///< the phase ends here
+};
+
 /// Whoever writes results. The loop knows output only as recorders.
 class Recorder {
 public:
@@ -37,6 +45,8 @@ public:
     virtual void write(const Snapshot&) = 0;
     /// Called in every cycle after its snapshots, for what is summed over cycles (angles of rotation).
     virtual void follow(const Clock&, const State&) {}
+    /// Called at each look of dynamic relaxation at its convergence, before the run proper.
+    virtual void write_relaxation(const Snapshot&, const RelaxationLook&) {}
     /// A state now, whatever is due (sense switch sw4); for recorders of whole states.
     virtual void write_on_request(const Snapshot&) {}
     /// Saves or loads what the recorder carries from cycle to cycle, and how much of its files belongs to the

@@ -50,6 +50,7 @@ struct ElementResults {
         double moment_s = 0, moment_t = 0, torsion = 0; ///< [moment]
         double plastic_strain = 0;                      ///< largest of the points [-]
         double length = 0;                              ///< [length]
+        int points = 0;                                 ///< of its cross section that have stresses
     };
     struct BeamPoint {
         double axial = 0, shear_rs = 0, shear_tr = 0; ///< [stress]
@@ -139,6 +140,33 @@ struct ElementResults {
         double friction_energy = 0;                 ///< the part of both that friction has taken
     };
     std::vector<ContactForce> contacts; ///< appended by the contacts' terms, in deck order
+
+    /// A spring or damper (*ELEMENT_DISCRETE) at n.
+    struct SpringState {
+        Index element = none; ///< of the Model
+        bool torsional = false;
+        Vec3 force{};          ///< on its first node, or moment
+        double magnitude = 0;  ///< tension, or opening, positive [force] or [moment]
+        double deflection = 0; ///< [length] or [angle]
+    };
+    bool springs_wanted = false; ///< the two lists below are filled only then
+    std::vector<SpringState> springs;
+
+    /// A discrete beam at n: three components along, and three about, its local axes.
+    struct DiscreteBeam {
+        Index beam = none;                 ///< of the Model
+        std::array<double, 6> way{};       ///< [length], [angle]
+        std::array<double, 6> resultant{}; ///< [force], [moment]
+        std::array<Vec3, 3> axes{};
+    };
+    std::vector<DiscreteBeam> discrete_beams;
+
+    /// External force on a node of a *DATABASE_NODAL_FORCE_GROUP at n, group by group in deck order.
+    struct NodalForce {
+        Vec3 force{};      ///< of loads, supports, drives and walls [force]
+        double energy = 0; ///< work that it has done so far [energy]
+    };
+    std::vector<NodalForce> nodal_forces;
 
     /// Motion of one rigid body at its center; `axes` are those of the body now.
     struct RigidMotion {

@@ -61,6 +61,11 @@ public:
     /// called once the whole scene is there.
     virtual std::vector<std::string> notices(const State&) const { return {}; }
 
+    /// A run begins with dynamic relaxation, at rest (`relaxing`), or goes on from there to the transient
+    /// phase, at time 0 with the places and forces that were found and the velocities of the start: whoever
+    /// keeps velocities of its own sets them.
+    virtual void begin_phase(bool /*relaxing*/, State&) {}
+
     /// Books every energy this term holds or has spent so far.
     virtual void report(EnergyLedger&) const {}
 

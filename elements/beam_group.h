@@ -18,6 +18,7 @@ public:
     }
 
     void serialise(Archive& archive) override { store_.serialise(archive); }
+    void begin_phase(bool, State&) override { store_.begin_phase(); }
     std::string_view name() const override { return "beams"; }
     std::size_t items() const override { return store_.patches.element_count; }
     StepVote stable_step() const override { return store_.vote(); }

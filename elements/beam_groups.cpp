@@ -1,5 +1,6 @@
 #include "elements/beam_groups.h"
 
+#include "elements/discrete_beams.h"
 #include "materials/parameters.h"
 
 #include <fmt/format.h>
@@ -31,6 +32,12 @@ void add_null_masses(const BeamPart& part, const BeamSection& section, double de
     }
 }
 
+bool is_discrete(const Model& model, const Part& part)
+{
+    return part.section != none && model.sections[part.section].keyword == "SECTION_BEAM" &&
+           model.sections[part.section].integer("ELFORM", 1) == 6;
+}
+
 void add_group(const BeamPart& beams, State& state, std::vector<std::unique_ptr<Term>>& groups)
 {
     const Part& part = beams.model.parts[beams.part];
@@ -39,6 +46,10 @@ void add_group(const BeamPart& beams, State& state, std::vector<std::unique_ptr<
     }
     const Record& material = beams.model.materials[part.material];
     if (beams.model.is_rigid(beams.part)) return;
+    if (is_discrete(beams.model, part)) {
+        groups.push_back(std::make_unique<DiscreteBeams>(beams, state));
+        return;
+    }
     BeamSettings settings;
     settings.section = beam_section(beams.model, part);
     if (material.keyword == "MAT_NULL") {

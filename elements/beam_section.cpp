@@ -1,11 +1,11 @@
 #include "elements/beam_section.h"
 
+#include "elements/beam_integration.h"
 #include "elements/shell_settings.h"
 #include "materials/parameters.h"
 
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace plash {
 
@@ -29,7 +29,7 @@ ThicknessRule rule_of(const Record& section)
     }
     reject_field(section, "QR/IRID",
                  fmt::format("integration rule {} is not supported (1: one point, 2: 2 x 2 Gauss, 3: 3 x 3 "
-                             "Gauss, 4: 3 x 3 Lobatto, 5: 4 x 4 Gauss)",
+                             "Gauss, 4: 3 x 3 Lobatto, 5: 4 x 4 Gauss, below 0: *INTEGRATION_BEAM)",
                              section.integer("QR/IRID", 2)));
 }
 
@@ -66,33 +66,19 @@ void add_tube(const Record& section, double outer, double inner, BeamSection& re
     if (!(inner >= 0 && inner < outer)) {
         reject_field(section, "TT1", fmt::format("{} is no inner diameter of a tube of {}", inner, outer));
     }
-    const double pi = std::numbers::pi;
-    const double outer_square = 0.25 * outer * outer, inner_square = 0.25 * inner * inner;
-    const auto add_circle = [&](double squared_radius, int count, double share) {
-        for (int i = 0; i < count; ++i) {
-            const double angle = pi * (2 * i + 1) / count;
-            const double radius = std::sqrt(squared_radius);
-            result.points.push_back({radius * std::cos(angle), radius * std::sin(angle), share / count});
-        }
-    };
-    const ThicknessRule rule = rule_of(section);
-    const double mean = 0.5 * (outer_square + inner_square), half = 0.5 * (outer_square - inner_square);
-    if (rule.size() == 1) {
-        result.points.push_back({0, 0, 1});
-    } else if (rule.size() == 2) {
-        add_circle(mean, 4, 1);
-    } else {
-        const ThicknessRule radial = gauss_rule(2);
-        for (int i = 0; i < 2; ++i) add_circle(mean + half * radial.place[i], 8, radial.weight[i]);
-    }
-    result.area = pi * (outer_square - inner_square);
-    result.inertia_s = result.inertia_t = 0.5 * result.area * mean;
-    result.torsion = result.area * mean;
+    add_tube_points(0.5 * outer, 0.5 * inner, rule_of(section).size(), result);
 }
 
-void read_integrated(const Record& section, BeamSection& result)
+void read_integrated(const Model& model, const Record& section, BeamSection& result)
 {
     const double ts = mean_size(section, "TS1", "TS2"), tt = mean_size(section, "TT1", "TT2");
+    if (const double rule = section.real("QR/IRID"); rule < 0) {
+        for (const char* field : {"NSLOC", "NTLOC"}) {
+            if (section.real(field) != 0)
+                reject_field(section, field, "an offset of the axis is not supported with *INTEGRATION_BEAM");
+        }
+        return read_beam_integration(model, section, -static_cast<Id>(rule), ts, tt > 0 ? tt : ts, result);
+    }
     const Id shape = section.integer("CST");
     if (result.formulation == 9 || shape == 1) {
         if (shape == 0) return add_rectangle(section, ts, tt > 0 ? tt : ts, result);
@@ -154,7 +140,7 @@ BeamSection beam_section(const Model& model, const Part& part)
     switch (result.formulation) {
     case 1:
     case 9:
-        read_integrated(section, result);
+        read_integrated(model, section, result);
         break;
     case 2:
         read_resultants(section, result);

@@ -2,6 +2,7 @@
 
 #include "core/prescribed_rate.h"
 #include "core/run_error.h"
+#include "elements/initial_beam_stress.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -78,6 +79,46 @@ BeamStore::BeamStore(const BeamPart& its, const State& state, BeamSettings its_s
     }
     set_axes(its);
     find_preloads();
+    set_initial_stresses();
+}
+
+/// *INITIAL_STRESS_BEAM on the beams of this group.
+void BeamStore::set_initial_stresses()
+{
+    const auto stresses = initial_beam_stresses(model);
+    if (stresses.empty()) return;
+    for (Index place = 0; place < patches.batch_count() * lane_count; ++place) {
+        const auto found = stresses.find(patches.elements[place]);
+        if (found == stresses.end()) continue;
+        const InitialBeamStress& given = found->second;
+        Lanes* values = record(place / lane_count);
+        const int lane = place % lane_count;
+        const auto refuse = [&](const std::string& what) {
+            throw DeckError(given.where, fmt::format("*INITIAL_STRESS_BEAM: beam {} {}",
+                                                     model.beams.id[found->first], what));
+        };
+        std::vector<InitialBeamStress::Point> points = given.points;
+        if (points.empty()) {
+            values[beam_record::resultant][lane] = given.axial;
+            values[beam_record::resultant + 1][lane] = given.torsion;
+            if (given.torsion != 0 && points_.count > 0)
+                refuse("has points; give their stresses in place of T11");
+            points.resize(points_.count, {given.axial / settings.section.area, 0, 0, 0});
+        }
+        if (static_cast<int>(points.size()) != points_.count) {
+            refuse(fmt::format("has {} points, the card gives {}", points_.count, points.size()));
+        }
+        for (int point = 0; point < points_.count; ++point) {
+            Lanes* stress = values + points_.first + point * points_.size;
+            stress[0][lane] = points[point].axial;
+            stress[1][lane] = points[point].shear_rs;
+            stress[2][lane] = points[point].shear_tr;
+            if (points_.plastic_strain != none)
+                stress[3 + points_.plastic_strain][lane] = points[point].plastic_strain;
+            else if (points[point].plastic_strain != 0)
+                refuse("has a material without plastic strain");
+        }
+    }
 }
 
 void BeamStore::set_axes(const BeamPart& its)
@@ -121,7 +162,7 @@ void BeamStore::find_preloads()
     for (const BeamPreload& given : model.beam_preloads) {
         std::vector<bool> member(model.beams.size());
         for (Index beam : given.beams) member[beam] = true;
-        Preload preload{&given, std::vector<LaneMask>(patches.batch_count()), 0, true, false};
+        Preload preload{&given, std::vector<LaneMask>(patches.batch_count()), 0, true, false, false};
         bool some = false;
         for (Index batch = 0; batch < patches.batch_count(); ++batch) {
             for (int lane = 0; lane < lane_count; ++lane) {
@@ -137,7 +178,11 @@ void BeamStore::find_preloads()
 void BeamStore::start_cycle(const Clock& clock)
 {
     for (Preload& preload : preloads_) {
-        if (!preload.active) continue;
+        if (!preload.active || !acts_now(model, preload.given->curve, clock)) {
+            preload.acts = false;
+            continue;
+        }
+        preload.acts = true;
         const double force = preload.given->scale * curve_value(model, preload.given->curve, clock.time);
         const bool over = preload.given->curve != none &&
                           clock.time > model.curves[preload.given->curve].curve.abscissa.back();
@@ -148,11 +193,19 @@ void BeamStore::start_cycle(const Clock& clock)
     }
 }
 
+void BeamStore::begin_phase()
+{
+    for (Preload& preload : preloads_) {
+        preload.active = true;
+        preload.has_acted = false;
+    }
+}
+
 BeamPrescription<Lanes> BeamStore::prescription(Index batch) const
 {
     BeamPrescription<Lanes> result;
     for (const Preload& preload : preloads_) {
-        if (!preload.active) continue;
+        if (!preload.active || !preload.acts) continue;
         const LaneMask& mask = preload.mask[batch];
         result.active |= mask;
         result.stress = mask ? broadcast<Lanes>(preload.stress) : result.stress;
@@ -300,6 +353,23 @@ void BeamStore::collect(const State& state, ElementResults& results) const
         }
     }
     if (!results.part_motion.empty()) results.part_motion[part].eroded_internal += eroded_internal_;
+    if (results.steps_wanted) collect_steps(state, results);
+}
+
+void BeamStore::collect_steps(const State& state, ElementResults& results) const
+{
+    for (Index batch = 0; batch < patches.batch_count(); ++batch) {
+        Lanes length{};
+        for (int lane = 0; lane < lane_count; ++lane) {
+            const auto& nodes = model.beams.nodes[patches.elements[batch * lane_count + lane]];
+            length[lane] = norm(state.position[nodes[1]] - state.position[nodes[0]]);
+        }
+        const Lanes step = stable_step(batch, length);
+        for (int lane = 0; lane < patches.active_lanes(batch); ++lane) {
+            const Index element = patches.elements[batch * lane_count + lane];
+            results.steps.push_back({"beam", model.beams.id[element], model.parts[part].id, step[lane]});
+        }
+    }
 }
 
 void BeamStore::collect_element(const State& state, Index batch, int lane, ElementResults& results) const
@@ -332,6 +402,7 @@ void BeamStore::collect_element(const State& state, Index batch, int lane, Eleme
         beam.shear_s = -mode.sway_t / beam.length;
         beam.shear_t = mode.sway_s / beam.length;
         beam.plastic_strain = 0;
+        beam.points = points_.count;
         for (int point = 0; point < points_.count; ++point) {
             beam.plastic_strain = std::max(beam.plastic_strain, plastic_strain(point));
         }

@@ -57,6 +57,8 @@ public:
     /// To be called before the patches of a cycle: axial stresses that preloads ask for now.
     void start_cycle(const Clock&);
     BeamPrescription<Lanes> prescription(Index batch) const;
+    /// Preloads begin anew with the curves of a phase.
+    void begin_phase();
 
     /// Stable step of a batch [time].
     Lanes stable_step(Index batch, const Lanes& length) const;
@@ -83,6 +85,7 @@ private:
         std::vector<LaneMask> mask; ///< by batch
         double stress = 0;          ///< now [stress]
         bool active = true, has_acted = false;
+        bool acts = false; ///< in this cycle
 
         void serialise(Archive& archive) { archive(stress, active, has_acted); }
     };
@@ -95,10 +98,12 @@ private:
 
     void set_axes(const BeamPart&);
     void find_preloads();
+    void set_initial_stresses();
     BeamMass mass_of(Index element) const;
     void erode(Index place, PatchSums&, State&);
     void check_finite() const;
     void collect_element(const State&, Index batch, int lane, ElementResults&) const;
+    void collect_steps(const State&, ElementResults&) const;
     void collect_motion(const State&, Index batch, int lane, ElementResults&) const;
 };
 

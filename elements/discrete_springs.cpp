@@ -2,6 +2,7 @@
 
 #include "materials/parameters.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -34,10 +35,12 @@ void Springs::add_part(Index part_index, const std::vector<Index>& elements)
     section.magnification = record.real("KD");
     section.reference_rate = record.real("V0");
     section.failure_deflection = record.real("FD");
-    for (const char* field : {"CL", "CDL", "TDL"}) {
-        if (record.real(field) != 0) {
-            reject_field(record, field, "clearances and deflection limits are not supported");
-        }
+    section.clearance = record.real("CL");
+    if (section.clearance < 0) reject_field(record, "CL", "the clearance is negative");
+    if (section.clearance > 0 && section.torsional)
+        reject_field(record, "CL", "torsional springs with a clearance are not supported");
+    for (const char* field : {"CDL", "TDL"}) {
+        if (record.real(field) != 0) reject_field(record, field, "deflection limits are not supported");
     }
     if (section.magnification != 0 && !(section.reference_rate > 0)) {
         reject_field(record, "V0", "the dynamic magnification KD needs a test velocity");
@@ -106,7 +109,7 @@ void Springs::add_forces(const Clock& clock, State& state)
                                  : state.position[spring.node2] - state.position[spring.node1];
         const Vec3 along = norm(spring.direction) > 0 ? spring.direction : unit(side);
         const auto& rates = section.torsional ? state.angular_velocity : state.velocity;
-        const double rate = dot((ground ? Vec3{} : rates[spring.node2]) - rates[spring.node1], along);
+        double rate = dot((ground ? Vec3{} : rates[spring.node2]) - rates[spring.node1], along);
         double deflection = 0;
         if (section.torsional) {
             spring.angle += clock.last_step * rate;
@@ -114,6 +117,10 @@ void Springs::add_forces(const Clock& clock, State& state)
         } else {
             const bool along_nodes = norm(spring.direction) == 0;
             deflection = (along_nodes ? norm(side) : dot(side, along)) - spring.length;
+            if (section.clearance > 0) { // carries compression alone, once the gap is closed
+                deflection = std::min(deflection + section.clearance, 0.0);
+                if (deflection == 0) rate = 0;
+            }
         }
         const double change = deflection - spring.state.deflection;
         double force = law.advance(spring.state, deflection, rate, clock.last_step);
@@ -127,6 +134,7 @@ void Springs::add_forces(const Clock& clock, State& state)
             part_energy_[model_.discretes.part[spring.element]] += work;
         }
         spring.booked_force = force;
+        spring.along = along;
         if (section.failure_deflection != 0 && std::abs(deflection) > std::abs(section.failure_deflection)) {
             spring.failed = true;
             continue;
@@ -153,6 +161,20 @@ void Springs::report(EnergyLedger& ledger) const
     for (std::size_t part = 0; part < part_energy_.size(); ++part) {
         if (part_energy_[part] != 0) ledger.add_part(static_cast<int>(part), part_energy_[part], 0);
         ledger.springs += part_energy_[part];
+    }
+}
+
+void Springs::collect(const State&, ElementResults& results) const
+{
+    if (!results.springs_wanted) return;
+    for (const Spring& spring : springs_) {
+        ElementResults::SpringState state{spring.element, sections_[spring.section].torsional, {}, 0, 0};
+        if (!spring.failed) {
+            state.force = spring.booked_force * spring.along;
+            state.magnitude = spring.booked_force;
+            state.deflection = spring.state.deflection;
+        }
+        results.springs.push_back(state);
     }
 }
 

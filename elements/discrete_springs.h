@@ -26,6 +26,7 @@ public:
     void add_forces(const Clock&, State&) override;
     StepVote stable_step() const override { return vote_; }
     void report(EnergyLedger&) const override;
+    void collect(const State&, ElementResults&) const override;
 
 private:
     /// *SECTION_DISCRETE.
@@ -33,6 +34,7 @@ private:
         bool torsional = false;
         double magnification = 0, reference_rate = 1; ///< KD, V0: force times 1 + KD |rate| / V0
         double failure_deflection = 0;                ///< FD; 0: never
+        double clearance = 0; ///< CL: way of compression before the spring carries anything [length]
     };
     struct Spring {
         Index element = none;             ///< of the Model
@@ -45,10 +47,11 @@ private:
         double angle = 0;  ///< of torsional springs so far
         DiscreteLaw::State state;
         double booked_force = 0; ///< at n - 1
+        Vec3 along{};            ///< in which it acted at n
         double energy = 0;
         bool failed = false;
 
-        void serialise(Archive& archive) { archive(angle, state, booked_force, energy, failed); }
+        void serialise(Archive& archive) { archive(angle, state, booked_force, along, energy, failed); }
     };
 
     const Model& model_;

@@ -105,6 +105,9 @@ struct BodyLoad {
     std::vector<Index> parts; ///< empty (and no nodes): everything
     std::vector<Index> nodes;
     bool own_nodes = false; ///< *LOAD_BODY_PARTS does not speak of it
+    /// Which phase of a run it acts in: as SIDR of its curve says, or the one that its card names.
+    enum class Phase { of_curve, transient, relaxation };
+    Phase phase = Phase::of_curve;
     Location where;
 };
 
@@ -197,6 +200,15 @@ struct NodeDamping {
     Location where;
 };
 
+/// *DAMPING_PART_STIFFNESS: stresses in proportion to elastic moduli and strain rates.
+struct StiffnessDamping {
+    Index part = none;
+    /// COEF: above 0 the share of critical damping in the fastest motion that a step resolves [-]; below 0
+    /// minus Rayleigh's coefficient of the stiffness [time].
+    double coefficient = 0;
+    Location where;
+};
+
 /// *BOUNDARY_NON_REFLECTING: waves leave through these segments of solids.
 struct NonReflectingBoundary {
     std::vector<std::array<Index, 4>> segments;
@@ -212,6 +224,15 @@ struct CrossSection {
     std::vector<Index> nodes;
     std::vector<Index> solids, shells, beams, thick_shells, discretes;
     double area = 0; ///< of the cut, at the start [length^2]; 0 where it is not known
+    Location where;
+};
+
+/// *DATABASE_NODAL_FORCE_GROUP: nodes whose external forces nodfor shows.
+struct NodalForceGroup {
+    Id id = 0;
+    std::string title;
+    std::vector<Index> nodes;
+    Index system = none; ///< in which the sum is shown besides
     Location where;
 };
 

@@ -47,6 +47,21 @@ struct ElementControls {
     int sort_solids = 0;                ///< ESORT of *CONTROL_SOLID
 };
 
+/// *CONTROL_DYNAMIC_RELAXATION: whether and how the run begins with a search for equilibrium.
+struct RelaxationControls {
+    int flag = 0;            ///< IDRFLG; 0: only if a curve asks for it (SIDR)
+    bool curves_ask = false; ///< some curve has SIDR = 1 or 2
+    int check_cycles = 250;  ///< NRCYCK: cycles between two looks at the kinetic energy
+    double tolerance = 0.001;
+    double factor = 0.995;    ///< DRFCTR: on velocities in each cycle
+    double end_time = 0;      ///< DRTERM [time]; 0: none
+    double step_scale = 0;    ///< TSSFDR; 0: TSSFAC
+    std::vector<Index> parts; ///< DRPSET: whose kinetic energy decides; empty: all
+    Location where;
+
+    bool active() const { return flag != -999 && (flag != 0 || curves_ask); }
+};
+
 /// One *DATABASE_<name> request: how often a result file is written.
 struct OutputRequest {
     double interval = 0; ///< [time]; 0: not asked for
@@ -68,6 +83,7 @@ struct OutputControls {
     std::map<std::string, OutputRequest> ascii; ///< by lower-case file name: "glstat", "nodout" ...
     OutputRequest d3plot;
     OutputRequest intfor; ///< *DATABASE_BINARY_INTFOR
+    long relaxation_states = 0; ///< *DATABASE_BINARY_D3DRLF: looks at the kinetic energy a state; 0: none
     RestartRequest restart;
     std::vector<Index> history_nodes;
     std::vector<Index> history_shells;
@@ -81,6 +97,7 @@ struct Controls {
     TimeControls time;
     EnergyControls energy;
     ElementControls elements;
+    RelaxationControls relaxation;
     OutputControls output;
 };
 

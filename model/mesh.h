@@ -77,6 +77,7 @@ struct DiscreteElements : Elements<2> {
         orientation; ///< VID as index into `others` of *DEFINE_SD_ORIENTATION; none: along the nodes
     std::vector<double> scale;          ///< S: factor on the forces
     std::vector<double> initial_offset; ///< OFFSET [length] or [angle]
+    std::vector<std::uint8_t> silent;   ///< PF = 1: not shown in deforc; empty: all are shown
 };
 
 /// *ELEMENT_MASS: masses added to nodes.

@@ -19,6 +19,8 @@ struct NamedCurve {
     std::string title;
     Location where;
     Curve curve;
+    /// SIDR: loads and motions that follow the curve act in these phases of a run.
+    bool in_transient = true, in_relaxation = false;
 };
 
 /// A *DEFINE_TABLE: one curve for each abscissa value, rising.
@@ -94,9 +96,11 @@ struct Model {
     std::vector<BodyLoad> body_loads;
     std::vector<PressureLoad> pressure_loads;
     std::vector<NodeDamping> dampings;
+    std::vector<StiffnessDamping> stiffness_dampings;
     std::vector<NonReflectingBoundary> non_reflecting_boundaries;
     std::vector<Termination> terminations;
     std::vector<CrossSection> cross_sections; ///< at most 64
+    std::vector<NodalForceGroup> nodal_force_groups;
     std::vector<InitialVelocity> initial_velocities;
     std::vector<RigidBodyVelocity> rigid_body_velocities;
     std::vector<NodalRigidBody> nodal_rigid_bodies;

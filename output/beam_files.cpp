@@ -2,6 +2,7 @@
 
 #include "output/ascii_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -9,7 +10,7 @@ namespace plash {
 
 namespace {
 
-constexpr int most_points = 16; // of a cross section, as QR/IRID can ask for
+constexpr int most_points = 64; // of a cross section that are shown
 
 std::vector<Index> rows_of(std::span<const Index> elements, std::size_t count)
 {
@@ -26,22 +27,6 @@ int material_type(const std::string& keyword)
     if (keyword == "MAT_PIECEWISE_LINEAR_PLASTICITY") return 24;
     if (keyword == "MAT_SPOTWELD") return 100;
     return 0;
-}
-
-/// Points that a beam's section has; 0 for resultant beams.
-int points_of(const Model& model, Index beam)
-{
-    const Index section = model.parts[model.beams.part[beam]].section;
-    if (section == none) return 0;
-    const Record& record = model.sections[section];
-    const Id formulation = record.integer("ELFORM", 1);
-    if (formulation == 3) return 1;
-    if (formulation != 0 && formulation != 1 && formulation != 9) return 0;
-    const Id rule = record.integer("QR/IRID", 2);
-    const bool tube = record.integer("CST") == 1;
-    if (rule == 1) return 1;
-    if (rule == 0 || rule == 2) return 4;
-    return tube ? 16 : rule == 5 ? 16 : 9;
 }
 
 } // namespace
@@ -79,7 +64,7 @@ std::string format_elout_beams(const Snapshot& snapshot, std::span<const Index> 
         }
         text += "\n\n\n integration point stresses\n"
                 "                       sigma 11       sigma 12       sigma 31   plastic  eps\n";
-        for (int point = 0; point < points_of(model, beams[row]); ++point) {
+        for (int point = 0; point < std::min(beam.points, most_points); ++point) {
             const auto& stress = results.beam_stress[row * most_points + point];
             fmt::format_to(out, "{:5}      ", point + 1);
             for (double value : {stress.axial, stress.shear_rs, stress.shear_tr, stress.plastic_strain}) {

@@ -1,5 +1,8 @@
 #include "output/binout.h"
 
+#include "output/binout_arrays.h"
+#include "output/binout_bodies.h"
+#include "output/binout_discrete.h"
 #include "output/bndout.h"
 #include "output/glstat.h"
 #include "output/matsum.h"
@@ -16,17 +19,6 @@ namespace plash {
 namespace {
 
 using Numbers = std::vector<Id>;
-
-void put_vectors(ArrayFile& file, const std::vector<Vec3>& values, const char* x, const char* y,
-                 const char* z)
-{
-    const char* names[] = {x, y, z};
-    for (int axis = 0; axis < 3; ++axis) {
-        std::vector<double> component;
-        for (const Vec3& value : values) component.push_back(value.*vector_component[axis]);
-        file.put(names[axis], component);
-    }
-}
 
 /// Numbers with titles of 80 characters each.
 void put_legend(ArrayFile& file, const Numbers& ids, const std::vector<std::string>& titles)
@@ -54,6 +46,7 @@ class GlstatSection final : public BinoutSection {
             {"eroded_kinetic_energy", s.eroded_kinetic},
             {"eroded_internal_energy", s.eroded_internal},
             {"eroded_hourglass_energy", s.eroded_hourglass},
+            {"advection_loss", s.advection_loss},
             {"total_energy", s.total},
             {"energy_ratio", s.energy_ratio},
             {"energy_ratio_wo_eroded", s.energy_ratio_without_eroded},
@@ -348,13 +341,19 @@ class BndoutSection final : public BinoutSection {
     }
 };
 
-/// Solids under elout/solid, shells under elout/shell, their points from bottom to top.
+/// Solids under elout/solid, shells under elout/shell, beams under elout/beam, their points from bottom to
+/// top.
 class EloutSection final : public BinoutSection {
 public:
-    explicit EloutSection(const Model& model) : histories_(model) {}
+    explicit EloutSection(const Model& model) : histories_(model), beams_(model.controls.output.history_beams)
+    {
+        std::sort(beams_.begin(), beams_.end());
+        beams_.erase(std::unique(beams_.begin(), beams_.end()), beams_.end());
+    }
 
 private:
     ElementHistories histories_;
+    std::vector<Index> beams_;
 
     bool has_folders() const override { return true; }
 
@@ -365,6 +364,7 @@ private:
         const ElementHistories::Lists lists = histories_.collect(snapshot);
         put_elements(snapshot, file, lists.solids, root + "/solid" + number);
         put_elements(snapshot, file, lists.shells, root + "/shell" + number);
+        if (!beams_.empty()) put_elout_beams(snapshot, file, beams_, root + "/beam" + number);
     }
     static void put_elements(const Snapshot& snapshot, ArrayFile& file,
                              const std::vector<ElementHistory>& elements, const std::string& folder)
@@ -452,12 +452,14 @@ std::unique_ptr<BinoutSection> make_binout_section(const std::string& file_name,
     if (file_name == "spcforc") return std::make_unique<SpcforcSection>(model);
     if (file_name == "secforc") return std::make_unique<SecforcSection>(model);
     if (file_name == "bndout") return std::make_unique<BndoutSection>();
-    return nullptr;
+    if (auto section = make_body_section(file_name, model)) return section;
+    return make_discrete_section(file_name, model);
 }
 
 std::string binout_folder(const std::string& file_name)
 {
-    return file_name == "rwforc" ? "rwforc/forces" : file_name;
+    if (file_name == "rwforc") return "rwforc/forces";
+    return file_name == "jntforc" ? "jntforc/joints" : file_name;
 }
 
 } // namespace plash

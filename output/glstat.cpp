@@ -35,6 +35,7 @@ GlobalStatistics global_statistics(const Snapshot& snapshot)
     result.eroded_kinetic = ledger.eroded_kinetic;
     result.eroded_internal = ledger.eroded_internal;
     result.eroded_hourglass = ledger.eroded_hourglass;
+    result.advection_loss = ledger.advection_loss;
     result.total = ledger.total();
     const double expected = ledger.initial_total + ledger.external_work;
     const double eroded = ledger.eroded_kinetic + ledger.eroded_internal + ledger.eroded_hourglass;
@@ -80,6 +81,7 @@ std::string format_glstat(const GlobalStatistics& state, bool with_hourglass)
     line("eroded kinetic energy..........", state.eroded_kinetic);
     line("eroded internal energy.........", state.eroded_internal);
     line("eroded hourglass energy........", state.eroded_hourglass);
+    if (state.advection_loss != 0) line("advection loss.................", state.advection_loss);
     line("total energy...................", state.total);
     line("total energy / initial energy..", state.energy_ratio);
     line("energy ratio w/o eroded energy.", state.energy_ratio_without_eroded);

@@ -26,6 +26,7 @@ struct GlobalStatistics {
     double eroded_kinetic = 0;
     double eroded_internal = 0;
     double eroded_hourglass = 0;
+    double advection_loss = 0; ///< of Eulerian meshes; its row is there where it is not zero
     double total = 0;
     double energy_ratio = 1; ///< total / (initial + external work)
     double energy_ratio_without_eroded = 1;

@@ -6,6 +6,8 @@
 #include "output/contact_files.h"
 #include "output/d3plot.h"
 #include "output/dbfsi.h"
+#include "output/deforc.h"
+#include "output/disbout.h"
 #include "output/elout.h"
 #include "output/glstat.h"
 #include "output/history_file.h"
@@ -13,8 +15,10 @@
 #include "output/jntforc.h"
 #include "output/lsda_file.h"
 #include "output/matsum.h"
+#include "output/nodfor.h"
 #include "output/nodout.h"
 #include "output/rbdout.h"
+#include "output/relax_file.h"
 #include "output/rwforc.h"
 #include "output/secforc.h"
 #include "output/spcforc.h"
@@ -94,6 +98,21 @@ bool has_history_particles(const Model& model)
     return !model.controls.output.history_particles.empty();
 }
 
+bool has_springs(const Model& model)
+{
+    return !shown_springs(model).empty();
+}
+
+bool has_discrete_beams(const Model& model)
+{
+    return !shown_discrete_beams(model).empty();
+}
+
+bool has_nodal_force_groups(const Model& model)
+{
+    return !model.nodal_force_groups.empty();
+}
+
 bool has_sections(const Model& model)
 {
     return !model.cross_sections.empty();
@@ -124,6 +143,9 @@ const std::vector<AsciiFile>& ascii_files()
         {"rbdout", has_rigid_bodies, make<RbdoutRecorder>},
         {"jntforc", has_joints, make<JntforcRecorder>},
         {"secforc", has_sections, make<SecforcRecorder>},
+        {"deforc", has_springs, make<DeforcRecorder>},
+        {"disbout", has_discrete_beams, make<DisboutRecorder>},
+        {"nodfor", has_nodal_force_groups, make<NodforRecorder>},
         {"rcforc", has_contacts, make<RcforcRecorder>},
         {"sleout", has_contacts, make<SleoutRecorder>},
         {"ncforc", has_contacts, make<NcforcRecorder>},
@@ -175,6 +197,11 @@ std::vector<std::unique_ptr<Recorder>> make_recorders(const Model& model, const 
     if (asked_for(intfor) && !model.contacts.empty()) {
         recorders.push_back(
             std::make_unique<InterfaceSeries>(model, schedule_of(intfor, model), path_of("")));
+    }
+    if (model.controls.relaxation.active()) {
+        recorders.push_back(std::make_unique<RelaxRecorder>(model, path_of("/relax")));
+        if (const long looks = model.controls.output.relaxation_states; looks > 0)
+            recorders.push_back(std::make_unique<D3drlfRecorder>(model, looks, path_of("/d3drlf")));
     }
     if (options.vtk) {
         const Schedule schedule =

@@ -77,6 +77,26 @@ void RigidBodies::constrain(const Clock& clock, State& state)
     }
 }
 
+/// Bodies have moved on to the places of n+1 when a phase ends with step n: they go back.
+void RigidBodies::begin_phase(bool relaxing, State& state)
+{
+    if (relaxing) first_.clear();
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        RigidBody& body = bodies_[i];
+        if (relaxing) {
+            first_.push_back({body.velocity, body.angular_velocity, body.angular_momentum});
+            body.velocity = body.angular_velocity = body.angular_momentum = {};
+        } else {
+            body.center = body.shown_center;
+            body.orientation = body.shown_orientation;
+            body.velocity = first_[i].velocity;
+            body.angular_velocity = first_[i].angular_velocity;
+            body.angular_momentum = spatial_inertia(body, body.orientation) * body.angular_velocity;
+        }
+        if (!body.released) show_velocity(body, state);
+    }
+}
+
 /// The nodes get their masses back and go on with the velocities that the body gave them.
 void RigidBodies::release(Index number, State& state)
 {
@@ -143,7 +163,7 @@ void RigidBodies::take_forces(const Clock& clock, const State& state)
             const auto at = [&](int i) { return state.position[load.plane[i]]; };
             direction = unit(cross(at(1) - at(0), at(2) - at(0)));
         }
-        const double magnitude = load.scale * curve_value(model_, load.curve, clock.time);
+        const double magnitude = load.scale * load_value(model_, load.curve, clock, clock.time);
         const Vec3 now = magnitude * direction;
         const Vec3 mean = 0.5 * (now + entry.last_magnitude * entry.last_direction);
         entry.work += clock.last_step * dot(mean, load.moment ? body.angular_velocity : body.velocity);
@@ -177,7 +197,7 @@ void RigidBodies::add_missing_weight(const Clock& clock, RigidBody& body, Sums& 
         const bool loaded = load.parts.empty() ||
                             std::find(load.parts.begin(), load.parts.end(), body.number) != load.parts.end();
         if (loaded)
-            acceleration -= (load.scale * curve_value(model_, load.curve, clock.time)) * load.direction;
+            acceleration -= body_load_value(model_, load, clock) * load.direction;
     }
     const Vec3 arm = body.orientation * body.missing_moment;
     sums.force += body.missing_mass * acceleration;
@@ -192,7 +212,8 @@ void RigidBodies::set_targets(const Clock& clock)
 {
     for (Drive& drive : drives_) {
         BodyRow& row = rows_.rows[drive.row];
-        row.active = clock.time >= drive.motion.birth && clock.time <= drive.motion.death;
+        row.active = clock.time >= drive.motion.birth && clock.time <= drive.motion.death &&
+                     acts_now(model_, drive.motion.curve, clock);
         if (row.active)
             row.target = prescribed_rate(model_, drive.motion, clock, drive.rate, drive.travelled);
     }

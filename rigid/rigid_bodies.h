@@ -34,6 +34,7 @@ public:
     void collect(const State& state, ElementResults& results) const override;
     std::vector<std::string> notices(const State&) const override { return notices_; }
     void serialise(Archive& archive) override;
+    void begin_phase(bool relaxing, State& state) override;
 
     const std::vector<RigidBody>& bodies() const { return bodies_; }
 
@@ -82,6 +83,7 @@ private:
     std::vector<Support> supports_;
     std::vector<Load> loads_;
     std::vector<Motion> before_;
+    std::vector<Motion> first_; ///< at the start, while dynamic relaxation runs
     std::vector<Sums> sums_;    ///< by body; room for each cycle
     std::vector<Sums> partial_; ///< by chunk of the largest body
     std::vector<std::string> notices_;

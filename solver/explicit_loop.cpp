@@ -1,7 +1,9 @@
 #include "solver/explicit_loop.h"
 
 #include "core/run_error.h"
+#include "solver/cycle.h"
 #include "solver/motion.h"
+#include "solver/relaxation_phase.h"
 #include "solver/restart.h"
 #include "solver/sense_switches.h"
 #include "solver/step_control.h"
@@ -20,40 +22,6 @@ using WallClock = std::chrono::steady_clock;
 double seconds_since(WallClock::time_point start)
 {
     return std::chrono::duration<double>(WallClock::now() - start).count();
-}
-
-/// Calls one duty of every term and adds up the time that each takes.
-template <class Duty>
-void each_term(Scene& scene, std::vector<double>& seconds, Duty&& duty)
-{
-    for (std::size_t i = 0; i < scene.terms.size(); ++i) {
-        const auto start = WallClock::now();
-        duty(*scene.terms[i]);
-        seconds[i] += seconds_since(start);
-    }
-}
-
-void close_ledger(Scene& scene, double kinetic)
-{
-    scene.ledger.open_cycle(scene.model.parts.size());
-    scene.ledger.kinetic = kinetic;
-    for (const auto& term : scene.terms) term->report(scene.ledger);
-    scene.ledger.close_cycle();
-}
-
-/// A kinetic energy that is not a number: says at which node it began.
-void check_finite(const Scene& scene)
-{
-    if (std::isfinite(scene.ledger.kinetic)) return;
-    for (std::size_t node = 0; node < scene.state.size(); ++node) {
-        const Vec3& velocity = scene.state.velocity[node];
-        if (std::isfinite(dot(velocity, velocity))) continue;
-        const Vec3& place = scene.model.nodes.position[node];
-        throw RunError(fmt::format("node {} has no finite velocity any more (it started at ({:.6g}, {:.6g}, "
-                                   "{:.6g})); the step may be too long or a material has failed",
-                                   scene.model.nodes.id[node], place.x, place.y, place.z));
-    }
-    throw RunError("the kinetic energy is not a finite number any more");
 }
 
 /// Writes what falls due before the next step would pass it, as LS-DYNA does.
@@ -144,11 +112,11 @@ Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
 
     try {
         Requests requests;
+        if (scene.model.controls.relaxation.active() && !restarted)
+            outcome.relaxation = relax(scene, recorders, options, outcome.term_seconds);
         while (true) {
-            state.clear_forces();
-            each_term(scene, outcome.term_seconds, [&](Term& term) { term.add_forces(clock, state); });
-            step_control.choose(clock, scene.terms);
-            each_term(scene, outcome.term_seconds, [&](Term& term) { term.constrain(clock, state); });
+            sum_forces(scene, clock, step_control, outcome.term_seconds);
+            constrain_forces(scene, clock, outcome.term_seconds);
             const double kinetic = advance_velocities(clock, state);
             close_ledger(scene, kinetic);
             check_finite(scene);
@@ -160,11 +128,7 @@ Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
             if (requests.stop || requests.ended || at_end(scene, outcome)) break;
 
             for (auto& recorder : recorders) recorder->follow(clock, state);
-            advance_positions(clock, state);
-            each_term(scene, outcome.term_seconds, [&](Term& term) { term.after_motion(clock, state); });
-            clock.time += clock.step;
-            clock.last_step = clock.step;
-            ++clock.cycle;
+            move_nodes(scene, clock, outcome.term_seconds);
             requests = between_cycles(restart_files, switches, parts);
         }
     } catch (const RunError& error) {

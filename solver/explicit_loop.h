@@ -27,6 +27,17 @@ struct RunOptions {
     std::string restart_from; ///< path of the restart file with which the run goes on; empty: from the start
 };
 
+/// What dynamic relaxation before the run came to.
+struct RelaxationOutcome {
+    bool ran = false;
+    bool converged = false; ///< else it was ended by DRTERM, or on request
+    long cycles = 0;
+    double time = 0;          ///< of the phase [time]
+    double ratio = 0;         ///< kinetic energy of the distortion over its peak
+    double lost_kinetic = 0;  ///< thrown away at its end [energy]
+    double balance_error = 0; ///< of the phase, as EnergyLedger::balance_error
+};
+
 /// How a run ended, and what it took.
 struct Outcome {
     enum class Termination { normal, error, stopped };
@@ -36,6 +47,7 @@ struct Outcome {
     double end_time = 0;
     double first_step = 0;
     double last_step = 0;
+    RelaxationOutcome relaxation;
     double wall_seconds = 0;          ///< of all parts of a run that was restarted
     std::vector<double> term_seconds; ///< by term of the scene
 };

@@ -7,9 +7,11 @@
 #include "conditions/fixities.h"
 #include "conditions/initial_velocity.h"
 #include "conditions/loads.h"
+#include "conditions/nodal_forces.h"
 #include "conditions/non_reflecting.h"
 #include "conditions/prescribed_motion.h"
 #include "conditions/pressure_loads.h"
+#include "conditions/relaxation.h"
 #include "contact/contacts.h"
 #include "contact/rigid_wall.h"
 #include "contact/tied_nodes.h"
@@ -17,6 +19,8 @@
 #include "elements/discrete_springs.h"
 #include "elements/shell_groups.h"
 #include "elements/solid_groups.h"
+#include "elements/stiffness_damping.h"
+#include "model/eulerian.h"
 #include "rigid/interpolation.h"
 #include "rigid/linear_constraints.h"
 #include "rigid/rigid_bodies.h"
@@ -37,10 +41,12 @@ void add_conditions(Scene& scene)
 {
     const Model& model = scene.model;
     State& state = scene.state;
+    if (!model.nodal_force_groups.empty()) scene.terms.push_back(std::make_unique<NodalForces>(model));
     if (!model.nodal_loads.empty()) scene.terms.push_back(std::make_unique<NodalLoads>(model));
     if (!model.pressure_loads.empty()) scene.terms.push_back(std::make_unique<PressureLoads>(model));
     if (!model.body_loads.empty()) scene.terms.push_back(std::make_unique<BodyLoads>(model, state));
     if (!model.dampings.empty()) scene.terms.push_back(std::make_unique<Damping>(model, state));
+    if (model.controls.relaxation.active()) scene.terms.push_back(std::make_unique<Relaxation>(model, state));
     if (!model.non_reflecting_boundaries.empty())
         scene.terms.push_back(std::make_unique<NonReflecting>(model, state));
     for (const RigidWall& wall : model.rigid_walls) {
@@ -107,6 +113,10 @@ bool asks_for_rigid_bodies(const Model& model)
 
 Scene make_scene(const Model& model)
 {
+    if (model.controls.relaxation.active() && has_eulerian_mesh(model)) {
+        throw DeckError(model.controls.relaxation.where,
+                        "dynamic relaxation is not supported beside an Eulerian mesh");
+    }
     Scene scene{model, {}, {}, {}, 0, {}};
     State& state = scene.state;
     state.position = model.nodes.position;
@@ -115,6 +125,7 @@ Scene make_scene(const Model& model)
     state.mass.resize(state.size());
     for (auto& group : make_shell_groups(model, state)) scene.terms.push_back(std::move(group));
     for (auto& group : make_solid_groups(model, state)) scene.terms.push_back(std::move(group));
+    for (auto& group : make_stiffness_damping(model, state)) scene.terms.push_back(std::move(group));
     std::vector<const Term*> elements; // that know plastic strains
     for (const auto& term : scene.terms) elements.push_back(term.get());
     for (auto& group : make_beam_groups(model, state)) scene.terms.push_back(std::move(group));

@@ -18,7 +18,7 @@ void StepControl::choose(Clock& clock, const std::vector<std::unique_ptr<Term>>&
     const bool follows = stable_ > 0 && std::isfinite(stable_) && owner_.step > stable_;
     stable_ = follows && std::isfinite(owner_.step) ? stable_ + rise * (owner_.step - stable_) : owner_.step;
     const TimeControls& control = model_.controls.time;
-    const double scale = control.step_scale;
+    const double scale = scale_;
     double step = scale * stable_;
     // Masses are scaled once: where elements, or contacts, ask for less later on, the step follows them.
     if (control.mass_scaled_step > 0) step = std::min(step, scale * control.mass_scaled_step);

@@ -16,7 +16,9 @@ namespace plash {
 /// keeps energy for a constant step alone).
 class StepControl {
 public:
-    explicit StepControl(const Model& model) : model_(model) {}
+    explicit StepControl(const Model& model) : StepControl(model, model.controls.time.step_scale) {}
+    /// With a factor on the votes of its own (TSSFDR of dynamic relaxation).
+    StepControl(const Model& model, double scale) : model_(model), scale_(scale) {}
 
     /// Sets clock.step from the smallest vote of the terms, and keeps whose it was. RunError when the step
     /// collapses below DTMIN, or when nothing limits it and the deck names no step.
@@ -28,6 +30,7 @@ public:
 
 private:
     const Model& model_;
+    double scale_;
     StepVote owner_;
     double first_step_ = 0;
     double stable_ = 0; ///< what follows the votes [time]; 0: none yet

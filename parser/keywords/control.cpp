@@ -2,6 +2,11 @@
 
 #include "parser/reading.h"
 
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+
 namespace plash {
 namespace {
 
@@ -39,12 +44,36 @@ void read_timestep(const Record& record, const Block&, Reading& reading)
     if (time.step_scale < 0) reading.error(record, "TSSFAC", "the scale of the step is negative");
 }
 
-/// IDRFLG = 0 and -999: no dynamic relaxation, unless a curve asks for it, which says so itself (SIDR).
+/// IDRFLG = -999: no dynamic relaxation; 0: if a curve asks for it (SIDR); 1: from the start; -1: the same
+/// with histories; 3 and -3: as 1 and -1, with the kinetic energy of some parts.
 void read_relaxation(const Record& record, const Block&, Reading& reading)
 {
-    const Id flag = record.integer("IDRFLG");
-    if (flag != 0 && flag != -999)
-        reading.error(record, "IDRFLG", "dynamic relaxation is not supported; 0 and -999 ask for none");
+    RelaxationControls& relaxation = reading.model.controls.relaxation;
+    relaxation.where = record.where;
+    relaxation.flag = whole(record, "IDRFLG");
+    constexpr int known[] = {-999, -3, -1, 0, 1, 3};
+    if (std::find(std::begin(known), std::end(known), relaxation.flag) == std::end(known)) {
+        reading.error(
+            record, "IDRFLG",
+            fmt::format("{} is not supported; 1 and 3 (-1, -3) relax explicitly, 0 if a curve asks for "
+                        "it, -999 never",
+                        relaxation.flag));
+    }
+    relaxation.check_cycles = record.integer("NRCYCK") == 0 ? 250 : whole(record, "NRCYCK");
+    relaxation.tolerance = real_or(record, "DRTOL", 0.001);
+    relaxation.factor = real_or(record, "DRFCTR", 0.995);
+    relaxation.end_time = record.real("DRTERM");
+    relaxation.step_scale = record.real("TSSFDR");
+    if (relaxation.check_cycles < 1) reading.error(record, "NRCYCK", "the number of cycles is negative");
+    if (!(relaxation.factor > 0 && relaxation.factor <= 1))
+        reading.error(record, "DRFCTR", fmt::format("{} is not between 0 and 1", relaxation.factor));
+    if (record.integer("IRELAL") != 0)
+        reading.error(record, "IRELAL", "automatic choice of the factor is not supported; leave it at 0");
+    if (std::abs(relaxation.flag) != 3) return;
+    const Index set = reading.find(record, "DRPSET", Kind::part_set);
+    if (set != none) relaxation.parts = reading.model.part_sets[set].parts;
+    if (record.integer("DRPSET") == 0)
+        reading.error(record, "DRPSET", fmt::format("IDRFLG = {} needs a set of parts", relaxation.flag));
 }
 
 /// Only structures are computed: SOLN = 1 and 2 ask for heat.

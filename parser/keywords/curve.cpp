@@ -25,6 +25,10 @@ void read_curve(const Record& record, const Block& block, Reading& reading)
     curve.id = record.id;
     curve.title = record.title;
     curve.where = record.where;
+    const Id phases = record.integer("SIDR");
+    curve.in_transient = phases != 1;
+    curve.in_relaxation = phases == 1 || phases == 2;
+    if (curve.in_relaxation) reading.model.controls.relaxation.curves_ask = true;
     const double abscissa_scale = scale(record, "SFA"), ordinate_scale = scale(record, "SFO");
     const double abscissa_offset = record.real("OFFA"), ordinate_offset = record.real("OFFO");
     const Table* points = record.table("A1");

@@ -65,10 +65,31 @@ void read_relative(const Record& record, const Block&, Reading& reading)
     if (!damping.parts.empty() && damping.rate != 0) reading.model.dampings.push_back(std::move(damping));
 }
 
+/// COEF, or SIGN * |COEF|: above 0 a share of critical damping, below 0 Rayleigh's coefficient.
+void read_part_stiffness(const Record& record, const Block&, Reading& reading)
+{
+    std::vector<Index> parts;
+    if (record.peek("PSID")) {
+        const Index set = reading.find(record, "PSID", Kind::part_set);
+        if (set != none) parts = reading.model.part_sets[set].parts;
+    } else if (const Index part = reading.find(record, "PID", Kind::part); part != none) {
+        parts = {part};
+    }
+    const double coefficient = record.real("COEF");
+    if (coefficient >= 1)
+        reading.error(record, "COEF",
+                      "a share of critical damping must be below 1; Rayleigh's coefficient is negative");
+    for (Index part : parts) {
+        if (coefficient != 0) reading.model.stiffness_dampings.push_back({part, coefficient, record.where});
+    }
+}
+
 constexpr Translator damping_table[] = {
     {"DAMPING_GLOBAL", Phase::conditions, read_global},
     {"DAMPING_PART_MASS", Phase::conditions, read_part_mass},
     {"DAMPING_PART_MASS_SET", Phase::conditions, read_part_mass},
+    {"DAMPING_PART_STIFFNESS", Phase::conditions, read_part_stiffness},
+    {"DAMPING_PART_STIFFNESS_SET", Phase::conditions, read_part_stiffness},
     {"DAMPING_RELATIVE", Phase::conditions, read_relative},
 };
 

@@ -69,6 +69,12 @@ void read_d3dump(const Record& record, const Block&, Reading& reading)
     reading.model.controls.output.restart.dump_cycles = cycles_between(record, reading);
 }
 
+/// CYCL counts the looks of dynamic relaxation at its convergence.
+void read_d3drlf(const Record& record, const Block&, Reading& reading)
+{
+    reading.model.controls.output.relaxation_states = cycles_between(record, reading);
+}
+
 void read_runrsf(const Record& record, const Block&, Reading& reading)
 {
     RestartRequest& request = reading.model.controls.output.restart;
@@ -133,6 +139,18 @@ void read_beam_history(const Record& record, const Block&, Reading& reading)
 void read_solid_history(const Record& record, const Block&, Reading& reading)
 {
     read_history(record, Kind::solid, Kind::solid_set, reading.model.controls.output.history_solids, reading);
+}
+
+void read_force_group(const Record& record, const Block&, Reading& reading)
+{
+    NodalForceGroup group;
+    group.id = record.id;
+    group.title = record.title;
+    group.where = record.where;
+    const Index set = reading.find(record, "NSID", Kind::node_set);
+    if (set != none) group.nodes = reading.model.node_sets[set].nodes;
+    group.system = reading.find(record, "CID", Kind::coordinate);
+    if (!group.nodes.empty()) reading.model.nodal_force_groups.push_back(std::move(group));
 }
 
 /// What *DATABASE_CROSS_SECTION_PLANE cuts: an endless plane, a rectangle from its tail, or a circle around
@@ -296,6 +314,10 @@ void read_section_set(const Record& record, const Block&, Reading& reading)
 }
 
 constexpr Translator database_table[] = {
+    {"DATABASE_DEFORC", Phase::conditions, read_ascii},
+    {"DATABASE_DISBOUT", Phase::conditions, read_ascii},
+    {"DATABASE_NODFOR", Phase::conditions, read_ascii},
+    {"DATABASE_NODAL_FORCE_GROUP", Phase::conditions, read_force_group},
     {"DATABASE_SECFORC", Phase::conditions, read_ascii},
     {"DATABASE_CROSS_SECTION_PLANE", Phase::conditions, read_section_plane},
     {"DATABASE_CROSS_SECTION_SET", Phase::conditions, read_section_set},
@@ -319,6 +341,7 @@ constexpr Translator database_table[] = {
     {"DATABASE_BINARY_INTFOR", Phase::conditions, read_intfor},
     {"DATABASE_BINARY_INTFOR_FILE", Phase::conditions, read_intfor_file},
     {"DATABASE_BINARY_D3DUMP", Phase::conditions, read_d3dump},
+    {"DATABASE_BINARY_D3DRLF", Phase::conditions, read_d3drlf},
     {"DATABASE_BINARY_RUNRSF", Phase::conditions, read_runrsf},
     {"DATABASE_EXTENT_BINARY", Phase::conditions, read_extent},
     {"DATABASE_HISTORY_NODE", Phase::conditions, read_node_history},

@@ -64,6 +64,7 @@ void read_discrete(const Record& record, const Block&, Reading& reading)
     const double scale = record.real("S", 1);
     elements.scale.push_back(scale == 0 ? 1 : scale);
     elements.initial_offset.push_back(record.real("OFFSET"));
+    elements.silent.push_back(record.integer("PF") == 1);
 }
 
 void read_mass(const Record& record, const Block&, Reading& reading)

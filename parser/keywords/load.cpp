@@ -63,6 +63,19 @@ void read_nodal_load(const Record& record, const Block&, Reading& reading)
         reading.model.nodal_loads.push_back(std::move(load));
 }
 
+/// With a curve of its own for dynamic relaxation there are two loads.
+void keep_body_load(const Record& record, const char* relaxation_field, BodyLoad load, Reading& reading)
+{
+    if (const Index curve = reading.find(record, relaxation_field, Kind::curve); curve != none) {
+        BodyLoad other = load;
+        other.curve = curve;
+        other.phase = BodyLoad::Phase::relaxation;
+        reading.model.body_loads.push_back(std::move(other));
+        load.phase = BodyLoad::Phase::transient;
+    }
+    reading.model.body_loads.push_back(std::move(load));
+}
+
 /// *LOAD_BODY_X, _RX, _VECTOR ...
 void read_body_load(const Record& record, const Block& block, Reading& reading)
 {
@@ -81,7 +94,7 @@ void read_body_load(const Record& record, const Block& block, Reading& reading)
                 reading.motion_of(block).point({record.real("XC"), record.real("YC"), record.real("ZC")});
         }
     }
-    if (find_curve(record, load.curve, reading)) reading.model.body_loads.push_back(std::move(load));
+    if (find_curve(record, load.curve, reading)) keep_body_load(record, "LCIDDR", std::move(load), reading);
 }
 
 /// *LOAD_RIGID_BODY: DOF 1 to 3 force along, 5 to 7 moment about an axis; 4, 8 normal to a plane of nodes.
@@ -152,7 +165,7 @@ void read_generalized_load(const Record& record, const Block& block, Reading& re
     const Vec3 acceleration = vector("AX", "AY", "AZ"), rotation = vector("OMX", "OMY", "OMZ");
     if (norm(acceleration) > 0) {
         load.direction = acceleration;
-        reading.model.body_loads.push_back(load);
+        keep_body_load(record, "DRLCID", load, reading);
     }
     if (norm(rotation) == 0) return;
     const std::string_view type = record.text("ANGTYP");
@@ -166,7 +179,7 @@ void read_generalized_load(const Record& record, const Block& block, Reading& re
     } else {
         reading.error(record, "ANGTYP", fmt::format("'{}' is not one of CENT, CORI, ROTA", type));
     }
-    reading.model.body_loads.push_back(std::move(load));
+    keep_body_load(record, "DRLCID", std::move(load), reading);
 }
 
 /// *LOAD_GRAVITY_PART: ACCEL times the curve as base acceleration of a part.

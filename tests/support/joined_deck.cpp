@@ -36,6 +36,16 @@ constexpr const char* joined_controls = R"(*CONTROL_TERMINATION
 0.01
 *DATABASE_SPCFORC
 0.01
+*DATABASE_DEFORC
+0.01,3
+*DATABASE_DISBOUT
+0.01,3
+*DATABASE_NODFOR
+0.01,3
+*DEFINE_CURVE
+5
+0.0,0.01
+10.0,0.02
 *DEFINE_CURVE
 1
 0.0,1.0
@@ -76,6 +86,12 @@ constexpr const char* joined_materials = R"(*MAT_PIECEWISE_LINEAR_PLASTICITY
 ,
 *MAT_ELASTIC
 9,1.0e-6,1.0e-3,0.0
+*MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM
+10,1.0,0.05,0.05,0.05,0.1,0.1,0.1
+0.001,0.001,0.001
+5,5,5
+*MAT_CABLE_DISCRETE_BEAM
+11,1.0e-6,0.05,0,0.01,0.2,0.1
 *SECTION_SHELL
 1,2,0.833,3
 1.0,1.0,1.0,1.0
@@ -87,6 +103,12 @@ constexpr const char* joined_materials = R"(*MAT_PIECEWISE_LINEAR_PLASTICITY
 *SECTION_BEAM
 4,9,0.833,2,1
 2.0,2.0,0.0,0.0
+*SECTION_BEAM
+6,6,1.0,0,0,3
+1.0e-4,1.0e-3
+*SECTION_BEAM
+7,6
+,,,1.0
 *SECTION_DISCRETE
 5
 ,
@@ -160,6 +182,13 @@ std::string joined_deck()
         deck.text +=
             fmt::format("*ELEMENT_DISCRETE\n{},{},{},{}\n", 1 + kind, 10 + kind, low + kind, struts + 4);
     }
+    // A discrete beam that yields, a cable that is tightened, damping by stiffness.
+    deck.part(23, 6, 10);
+    deck.part(24, 7, 11);
+    deck.text +=
+        fmt::format("*ELEMENT_BEAM\n31,23,{},{}\n32,24,{},{}\n*DAMPING_PART_STIFFNESS\n3,0.1\n6,-1.0e-4\n"
+                    "*DATABASE_NODAL_FORCE_GROUP\n1\n",
+                    struts + 4, low + 5, struts + 4, low + 6);
     // Two rigid blocks on a hinge.
     deck.part(20, 2, 8);
     deck.part(21, 2, 8);

@@ -236,12 +236,12 @@ TEST(Checks, UnitsThatDoNotFitAreDoubted)
 
 TEST(Fates, UnusedFieldsAreListedWithTheirReason)
 {
-    ReadResult result = read_text("*DEFINE_CURVE\n1,1\n0.,0.\n1.,1.\n*CONTROL_TIMESTEP\n0.,.9,0,1e-6\n");
+    ReadResult result = read_text("*DEFINE_CURVE\n1,,,,,,2\n0.,0.\n1.,1.\n*CONTROL_TIMESTEP\n0.,.9,0,1e-6\n");
     list_unread_fields(result.model, result.report);
     ASSERT_EQ(result.report.ignored.size(), 2u);
-    EXPECT_EQ(result.report.ignored[0].field, "SIDR");
-    EXPECT_EQ(result.report.ignored[0].value, "1");
-    EXPECT_NE(result.report.ignored[0].reason.find("dynamic relaxation"), std::string::npos);
+    EXPECT_EQ(result.report.ignored[0].field, "DATTYP");
+    EXPECT_EQ(result.report.ignored[0].value, "2");
+    EXPECT_NE(result.report.ignored[0].reason.find("discretises"), std::string::npos);
     EXPECT_EQ(result.report.ignored[1].field, "TSLIMT");
 }
 

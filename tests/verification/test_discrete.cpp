@@ -67,6 +67,32 @@ TEST(Springs, SwingAtTheirFrequencyInBalance)
     EXPECT_LT(scene.ledger.balance_error(), 1e-3);
 }
 
+TEST(Springs, WithAClearanceCarryCompressionAloneOnceItIsClosed)
+{
+    // The mass flies away from node 1 first: nothing holds it. Thrown towards it, it meets the spring after
+    // 0.5.
+    Model away = oscillator(make_record("MAT_SPRING_ELASTIC", {{"K", 4}}), {{"CL", 0.5}}, 1);
+    away.controls.time.end_time = 1;
+    Scene free = make_scene(away);
+    Recorders none_wanted;
+    run(free, none_wanted);
+    EXPECT_NEAR(free.state.velocity[1].x, 1, 1e-12);
+
+    Model towards = oscillator(make_record("MAT_SPRING_ELASTIC", {{"K", 4}}), {{"CL", 0.5}}, 1);
+    towards.initial_velocities[0].translation = {-1, 0, 0};
+    towards.controls.time.end_time =
+        0.5 + 0.5 * std::numbers::pi + 0.2; // there, half a period of omega = 2, back
+    Scene caught = make_scene(towards);
+    double nearest = 10;
+    Recorders recorders;
+    recorders.push_back(std::make_unique<EachCycle>(
+        [&](const Clock&, const State& state) { nearest = std::min(nearest, state.position[1].x); }));
+    run(caught, recorders);
+    EXPECT_NEAR(nearest, 10 - 0.5 - 0.5, 2e-3); // v / omega beyond the gap
+    EXPECT_NEAR(caught.state.velocity[1].x, 1, 2e-3);
+    EXPECT_LT(caught.ledger.balance_error(), 2e-3);
+}
+
 TEST(Springs, DampersTakeTheEnergyThatTheBookShows)
 {
     Model model = oscillator(make_record("MAT_DAMPER_VISCOUS", {{"DC", 0.5}}), {}, 1);
