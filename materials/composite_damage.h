@@ -79,10 +79,7 @@ struct CompositeDamage {
         judge_matrix(stress, history);
         judge_fibers(stress, history);
         judge_strains(history);
-        const Lane keep = history[sound];
-        for (Lane* component : {&stress.xx, &stress.yy, &stress.xy, &stress.yz, &stress.zx}) {
-            *component = keep > 0.0 ? *component : Lane{};
-        }
+        clear_lost_ply(stress, history[sound]);
     }
 
 private:
@@ -167,8 +164,8 @@ private:
         if (matrix_strain > 0) gone = gone | (abs(history[strain_b]) >= matrix_strain);
         if (shear_strain > 0) gone = gone | (abs(history[strain_ab]) >= shear_strain);
         if (effective_strain > 0) {
-            const Lane a = history[strain_a], b = history[strain_b], ab = 0.5 * history[strain_ab];
-            const Lane square = (4.0 / 3) * (a * a + a * b + b * b + ab * ab);
+            const Lane square =
+                effective_ply_strain_square(history[strain_a], history[strain_b], history[strain_ab]);
             gone = gone | (square >= effective_strain * effective_strain);
         }
         history[sound] = gone ? Lane{} : history[sound];

@@ -3,6 +3,7 @@
 #include "materials/hardening.h"
 #include "materials/history.h"
 #include "materials/parameters.h"
+#include "materials/plane_stress_return.h"
 #include "materials/plastic_return.h"
 #include "materials/von_mises.h"
 #include "model/model.h"
@@ -75,34 +76,16 @@ struct CompressionTension {
     void update_plane_stress(SymmetricTensor<Lane>& stress, SymmetricTensor<Lane>& increment,
                              HistoryView<Lane> history, double time_step) const
     {
-        const Lane sum_before = stress.xx + stress.yy;
-        add_plane_elastic_stress(stress, increment, young_modulus, poisson_ratio);
-        increment.zz = -poisson_ratio / (1 - poisson_ratio) * (increment.xx + increment.yy);
-        SymmetricTensor<Lane> change = increment; // where it matters the flow keeps the volume
-        change.zz = -increment.xx - increment.yy;
-        const PlaneStressPath<Lane> path(stress, 0, young_modulus, poisson_ratio);
-        const Lane strain = history[plastic_strain], square = path.slow_square + path.fast_square;
-        const Flow<Lane> flow{*this, (-1.0 / 3) * (stress.xx + stress.yy), rate_factor(change, time_step)};
+        PlaneStressTrial<Lane> trial(stress, increment, young_modulus, poisson_ratio);
+        const Lane strain = history[plastic_strain];
+        const Flow<Lane> flow{*this, (-1.0 / 3) * (stress.xx + stress.yy),
+                              rate_factor(trial.isochoric_increment(), time_step)};
         const Lane bound = flow(strain).stress;
-        const MaskOf<Lane> yielding = (square > bound * bound) & MaskOf<Lane>(!failed(history));
+        const MaskOf<Lane> yielding = (trial.square() > bound * bound) & MaskOf<Lane>(!failed(history));
         if (any(yielding)) {
-            const auto at = [&](const Lane& m) {
-                const Lane u = 1.0 / (1.0 + path.slow * m), w = 1.0 / (1.0 + path.fast * m);
-                const Lane slow = path.slow_square * u * u, fast = path.fast_square * w * w;
-                const Lane both = slow + fast, equivalent = sqrt(both);
-                const Lane fall = path.slow * slow * u + path.fast * fast * w;
-                const Lane plastic = (2.0 / 3) * m * equivalent;
-                const auto now = flow(strain + plastic);
-                return ReturnPoint<Lane>{equivalent, -fall,    plastic, (2.0 / 3) * (both - m * fall),
-                                         now.stress, now.slope};
-            };
-            const Lane trial = max(sqrt(square), broadcast<Lane>(1e-300));
-            const Lane start = 0.75 / path.fast * (trial - bound) / trial;
-            Lane m = return_parameter<Lane>(yielding, start, at);
-            m = yielding ? m : Lane{};
-            history[plastic_strain] += path.shrink(stress, m);
-            increment.zz = -poisson_ratio / young_modulus * (stress.xx + stress.yy - sum_before) -
-                           (1.0 / 3) * m * (stress.xx + stress.yy);
+            history[plastic_strain] +=
+                trial.flow(yielding, bound, [&](const Lane& plastic) { return flow(strain + plastic); })
+                    .plastic;
         }
         clear_failed(stress, history);
     }

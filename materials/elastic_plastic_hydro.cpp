@@ -1,34 +1,11 @@
 #include "materials/elastic_plastic_hydro.h"
 
+#include "materials/flow_points.h"
 #include "materials/parameters.h"
 
 #include <fmt/format.h>
 
 namespace plash {
-
-namespace {
-
-/// EPS1..EPS16 with ES1..ES16; empty when the card has none.
-Curve flow_points(const Record& record)
-{
-    Curve points;
-    for (int i = 1; i <= 16; ++i) {
-        const std::string strain_name = fmt::format("EPS{}", i), stress_name = fmt::format("ES{}", i);
-        const double strain = record.real(strain_name), stress = record.real(stress_name);
-        if (strain == 0 && stress == 0) break;
-        if (!(stress > 0)) reject_field(record, stress_name, fmt::format("{} is no yield stress", stress));
-        if (i > 1 && !(strain > points.abscissa.back())) {
-            reject_field(
-                record, strain_name,
-                fmt::format("{} does not rise above {} of the point before", strain, points.abscissa.back()));
-        }
-        points.abscissa.push_back(strain);
-        points.ordinate.push_back(stress);
-    }
-    return points;
-}
-
-} // namespace
 
 ElasticPlasticHydro ElasticPlasticHydro::from_record(const Record& record, const Model&)
 {
@@ -36,7 +13,7 @@ ElasticPlasticHydro ElasticPlasticHydro::from_record(const Record& record, const
     law.density = positive(record, "RO", "mass density");
     law.shear_modulus = positive(record, "G", "shear modulus");
     const bool with_spall = record.keyword == "MAT_ELASTIC_PLASTIC_HYDRO_SPALL";
-    const Curve points = flow_points(record);
+    const Curve points = flow_points(record, 16);
     if (points.abscissa.empty()) {
         const double yield_stress = record.real(with_spall ? "SIG0" : "SIGY"), modulus = record.real("EH");
         if (yield_stress < 0) reject_field(record, with_spall ? "SIG0" : "SIGY", "a negative yield stress");

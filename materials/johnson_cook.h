@@ -2,6 +2,7 @@
 
 #include "materials/history.h"
 #include "materials/parameters.h"
+#include "materials/plane_stress_return.h"
 #include "materials/plastic_return.h"
 #include "materials/spall.h"
 #include "materials/von_mises.h"
@@ -118,38 +119,17 @@ struct JohnsonCook {
     void update_plane_stress(SymmetricTensor<Lane>& stress, SymmetricTensor<Lane>& increment,
                              HistoryView<Lane> history, double time_step) const
     {
-        const Lane sum_before = stress.xx + stress.yy;
-        add_plane_elastic_stress(stress, increment, young_modulus, poisson_ratio);
-        increment.zz = -poisson_ratio / (1 - poisson_ratio) * (increment.xx + increment.yy);
-        const PlaneStressPath<Lane> path(stress, 0, young_modulus, poisson_ratio);
-        // Where it matters the flow keeps the volume.
-        SymmetricTensor<Lane> change = increment;
-        change.zz = -increment.xx - increment.yy;
+        PlaneStressTrial<Lane> trial(stress, increment, young_modulus, poisson_ratio);
+        const SymmetricTensor<Lane> change = trial.isochoric_increment();
         const Lane scale = step_factor(contract(change, change), history, time_step);
         const Lane strain = history[plastic_strain];
-        const Lane bound = scale * static_yield(strain), square = path.slow_square + path.fast_square;
-        const MaskOf<Lane> yielding = (square > bound * bound) & (history[damage] < 1.0);
+        const Lane bound = scale * static_yield(strain);
+        const MaskOf<Lane> yielding = (trial.square() > bound * bound) & (history[damage] < 1.0);
         if (any(yielding)) {
-            const auto at = [&](Lane m) {
-                const Lane u = 1.0 / (1.0 + path.slow * m), w = 1.0 / (1.0 + path.fast * m);
-                const Lane slow = path.slow_square * u * u, fast = path.fast_square * w * w;
-                const Lane both = slow + fast, equivalent = sqrt(both);
-                const Lane fall = path.slow * slow * u + path.fast * fast * w;
-                const Lane plastic = (2.0 / 3) * m * equivalent;
-                const YieldPoint<Lane> now = yield_at(strain, plastic, scale, time_step);
-                return ReturnPoint<Lane>{equivalent, -fall,    plastic, (2.0 / 3) * (both - m * fall),
-                                         now.stress, now.slope};
-            };
-            const Lane trial = max(sqrt(square), broadcast<Lane>(1e-300));
-            const Lane start = 0.75 / path.fast * (trial - bound) / trial;
-            Lane m = return_parameter<Lane>(yielding, start, at);
-            m = yielding ? m : Lane{};
-            const Lane plastic = path.shrink(stress, m);
-            const Lane plastic_zz = (-1.0 / 3) * m * (stress.xx + stress.yy);
-            increment.zz = -poisson_ratio / young_modulus * (stress.xx + stress.yy - sum_before) + plastic_zz;
-            const Lane u = 1.0 / (1.0 + path.slow * m), w = 1.0 / (1.0 + path.fast * m);
-            const Lane equivalent = sqrt(path.slow_square * u * u + path.fast_square * w * w);
-            flow(plastic, equivalent, (-1.0 / 3) * (stress.xx + stress.yy), history, time_step);
+            const auto end = trial.flow(yielding, bound, [&](const Lane& plastic) {
+                return yield_at(strain, plastic, scale, time_step);
+            });
+            flow(end.plastic, end.equivalent, (-1.0 / 3) * (stress.xx + stress.yy), history, time_step);
         }
         if (!fractures()) return;
         const MaskOf<Lane> kept = history[damage] < 1.0;

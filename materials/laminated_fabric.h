@@ -71,14 +71,10 @@ struct LaminatedFabric {
         stress.yz += (2 * plane.gbc) * increment.yz;
         stress.zx += (2 * plane.gca) * increment.zx;
         if (erosion_strain > 0) {
-            const Lane half = 0.5 * ab;
-            const Lane square = (4.0 / 3) * (a * a + a * b + b * b + half * half);
+            const Lane square = effective_ply_strain_square(a, b, ab);
             history[sound] = square >= erosion_strain * erosion_strain ? zero : history[sound];
         }
-        const Lane keep = history[sound];
-        for (Lane* component : {&stress.xx, &stress.yy, &stress.xy, &stress.yz, &stress.zx}) {
-            *component = keep > 0.0 ? *component : zero;
-        }
+        clear_lost_ply(stress, history[sound]);
     }
 
 private:

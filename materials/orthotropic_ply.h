@@ -43,6 +43,23 @@ struct OrthotropicPlane {
     double largest_modulus() const { return std::max(plane_a(), plane_b()); }
 };
 
+/// Square of the strain that the limits EFS and ERODS mean, 4/3 (a^2 + a b + b^2 + g^2 / 4), of the normal
+/// strains a, b and the engineering shear strain g of a ply.
+template <class Lane>
+inline Lane effective_ply_strain_square(const Lane& a, const Lane& b, const Lane& engineering_shear)
+{
+    const Lane half = 0.5 * engineering_shear;
+    return (4.0 / 3) * (a * a + a * b + b * b + half * half);
+}
+
+/// A ply that is lost (sound = 0) carries nothing any more.
+template <class Lane>
+inline void clear_lost_ply(SymmetricTensor<Lane>& stress, const Lane& sound)
+{
+    for (Lane* component : {&stress.xx, &stress.yy, &stress.xy, &stress.yz, &stress.zx})
+        *component = sound > 0.0 ? *component : Lane{};
+}
+
 /// *MAT_ORTHOTROPIC_ELASTIC (002) in plane stress: Hooke's law for the stress rate in the axes of the ply.
 struct OrthotropicElastic {
     OrthotropicPlane plane;

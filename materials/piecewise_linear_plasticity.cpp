@@ -1,6 +1,7 @@
 #include "materials/piecewise_linear_plasticity.h"
 
 #include "materials/flow_laws.h"
+#include "materials/flow_points.h"
 #include "materials/parameters.h"
 
 #include <algorithm>
@@ -11,25 +12,11 @@ namespace plash {
 
 namespace {
 
-/// EPS1..EPS8 with ES1..ES8.
+/// EPS1..EPS8 with ES1..ES8, from no plastic strain on.
 Curve read_points(const Record& record)
 {
-    Curve curve;
-    for (int i = 1; i <= 8; ++i) {
-        const std::string strain_name = fmt::format("EPS{}", i), stress_name = fmt::format("ES{}", i);
-        const double strain = record.real(strain_name), stress = record.real(stress_name);
-        if (i > 1 && strain == 0 && stress == 0) break;
-        if (i == 1 && strain != 0) reject_field(record, strain_name, "the first plastic strain must be zero");
-        if (i > 1 && strain <= curve.abscissa.back()) {
-            reject_field(
-                record, strain_name,
-                fmt::format("{} does not rise above {} of the point before", strain, curve.abscissa.back()));
-        }
-        if (!(stress > 0)) reject_field(record, stress_name, fmt::format("{} is no yield stress", stress));
-        curve.abscissa.push_back(strain);
-        curve.ordinate.push_back(stress);
-    }
-    return curve;
+    if (record.real("EPS1") != 0) reject_field(record, "EPS1", "the first plastic strain must be zero");
+    return flow_points(record, 8);
 }
 
 void check_yield_curve(const Record& record, const NamedCurve& curve)
