@@ -37,6 +37,7 @@ SolidGroup::SolidGroup(SolidSetup setup, const State& state, int history_size, i
                patch_length_of(setup_.elements.size())),
       section_watch_(setup_.model, &CrossSection::solids, setup_.model.solids.size(), patches_),
       sums_(patches_.patches.size()),
+      smallest_step_(setup_.shortest_step),
       name_(fmt::format("solids of part {}", setup_.model.parts[setup_.part].id)),
       history_size_(history_size),
       constant_count_(constant_count),
@@ -118,6 +119,20 @@ SolidModes<Lanes> SolidGroup::start_position(const Patches::Patch& patch, Index 
         }
     }
     return modes_of(corners);
+}
+
+Vector3<Lanes> SolidGroup::start_centre(const Patches::Patch& patch, Index batch, const State& state) const
+{
+    Vector3<Lanes> centre{};
+    for (int lane = 0; lane < lane_count; ++lane) {
+        Vec3 sum{};
+        for (int i = 0; i < 8; ++i)
+            sum += state.position[corner(patch, static_cast<std::size_t>(batch) * lane_count + lane, i)];
+        centre.x[lane] = 0.125 * sum.x;
+        centre.y[lane] = 0.125 * sum.y;
+        centre.z[lane] = 0.125 * sum.z;
+    }
+    return centre;
 }
 
 void SolidGroup::finish_start(std::vector<double> first_step, State& state)
@@ -205,7 +220,8 @@ void SolidGroup::start_cycle(const Clock& clock)
     last_step_ = clock.last_step;
     const TimeControls& control = setup_.model.controls.time;
     if (clock.cycle != 1 || !control.erode_small_step) return;
-    smallest_step_ = control.smallest_step_factor * clock.last_step / control.step_scale;
+    smallest_step_ =
+        std::max(smallest_step_, control.smallest_step_factor * clock.last_step / control.step_scale);
 }
 
 void SolidGroup::take(Index batch, const SolidModes<Lanes>& position, SolidResult<Lanes>& result,

@@ -30,6 +30,7 @@ struct SolidSetup {
     SolidShear shear = SolidShear::full; ///< of fully integrated elements
     std::string notice{};                ///< what the user should know of the formulation; empty: nothing
     double shear_modulus = 0;            ///< elastic, for the bound of the step; 0: a fluid [stress]
+    double shortest_step = 0;            ///< TDEL: elements below it are deleted [time]
     bool erode_inverted = false;         ///< delete elements without volume instead of stopping the run
     const InitialStresses* initial_stresses = nullptr; ///< looked at while the group is made
 };
@@ -79,6 +80,8 @@ protected:
 
     /// Positions of a batch as modes.
     SolidModes<Lanes> start_position(const Patches::Patch&, Index batch, const State&) const;
+    /// Means of the corners of a batch.
+    Vector3<Lanes> start_centre(const Patches::Patch&, Index batch, const State&) const;
     /// Sets volume and mass of a batch at the start; DeckError when a volume is not positive.
     void start_batch(Index batch, const Lanes& volume, const SolidModes<Lanes>& position, const State& state);
     /// Adds the elements' masses to their corners and keeps their first stable steps, batch x lane.
@@ -95,8 +98,9 @@ protected:
     /// stress follows from something else.
     void take_initial_stresses(const StressPlaces&);
 
-    /// To be called before the patches of a cycle. With *CONTROL_TIMESTEP ERODE, elements are deleted whose
-    /// step falls below DTMIN times the first step of the run, which is known in cycle 1.
+    /// To be called before the patches of a cycle. Elements are deleted whose step falls below TDEL of their
+    /// material, or with *CONTROL_TIMESTEP ERODE below DTMIN times the first step of the run, which is known
+    /// in cycle 1.
     void start_cycle(const Clock&);
     /// Takes what a batch has to say into the patch's sum; zeroes the forces of elements that are deleted or
     /// lost in this cycle.
@@ -111,12 +115,12 @@ protected:
 
 private:
     using LaneArray = std::vector<Lanes, CacheAligned<Lanes>>;
+    double smallest_step_ = 0; ///< elements below it are deleted [time]
     std::string name_;
     int history_size_, constant_count_;
     int plastic_strain_;                  ///< which history variable, or -1
     std::optional<SolidErosion> erosion_; ///< *MAT_ADD_EROSION
     double time_ = 0, last_step_ = 0;     ///< of the cycle [time]
-    double smallest_step_ = 0;            ///< elements below it are deleted [time]
     LaneArray history_;                   ///< batch x variable
     LaneArray constants_;                 ///< batch x constant
     std::vector<double> first_step_;      ///< batch x lane, at the start

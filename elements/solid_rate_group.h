@@ -48,6 +48,7 @@ std::unique_ptr<SolidGroup> make_rate_group(const Record& material, const Record
     setup.shear_modulus = point.law.young_modulus / (2 * (1 + point.law.poisson_ratio));
     setup.parameters.hourglass.shear_modulus = setup.shear_modulus;
     setup.parameters.hourglass.poisson_ratio = point.law.poisson_ratio;
+    if constexpr (requires { point.law.shortest_step; }) setup.shortest_step = point.law.shortest_step;
     return make_point_group(std::move(point), std::move(setup), state);
 }
 

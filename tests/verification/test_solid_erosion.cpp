@@ -64,6 +64,33 @@ TEST(SolidErosion, CriteriaHoldAtTheirLimits)
     EXPECT_EQ(cycles_until_lost({{"MNEPS", -0.0305}}, -0.001), 31); // ln(1 - 0.03) = -0.0305 - 4e-5
 }
 
+/// TDEL of the material: a cube that is pressed flat goes when its thickness over the speed of waves falls
+/// below it.
+TEST(SolidErosion, ElementsBelowTheStepOfTheirMaterialGo)
+{
+    SolidBlock block({1, 1, 1}, {1, 1, 1},
+                     record_of("MAT_PIECEWISE_LINEAR_PLASTICITY", 1,
+                               {{"RO", 1}, {"E", 100}, {"PR", 0}, {"SIGY", 1e6}, {"TDEL", 0.08}}));
+    block.set_viscosity(1e-30, 1e-30);
+    State state = block.state();
+    auto groups = make_solid_groups(block.model, state);
+    Clock clock;
+    clock.last_step = 1;
+    // With PR = 0 the speed is sqrt(E V / RO0): the thickness 1 - x over 10 sqrt(1 - x) falls below 0.08 at
+    // 0.36.
+    double lost = 0;
+    for (int cycle = 1; cycle <= 100 && lost == 0; ++cycle) {
+        for (std::size_t n = 0; n < state.size(); ++n) {
+            state.velocity[n] = {-0.01 * block.model.nodes.position[n].x, 0, 0};
+            state.position[n] += state.velocity[n];
+        }
+        state.clear_forces();
+        groups[0]->add_forces(clock, state);
+        if (!state.deleted_solids.empty()) lost = 0.01 * cycle;
+    }
+    EXPECT_NEAR(lost, 0.37, 0.011);
+}
+
 TEST(SolidErosion, ExclusionNumberCountAndImpulse)
 {
     // 99 excludes; two criteria are needed.
