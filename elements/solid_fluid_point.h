@@ -1,7 +1,7 @@
 #pragma once
 
 #include "elements/solid_step.h"
-#include "eos/response.h"
+#include "eos/memory.h"
 #include "materials/null_fluid.h"
 
 #include <limits>
@@ -15,7 +15,7 @@ struct FluidPoint {
     NullFluid fluid;
     Eos eos;
 
-    static constexpr int history_size = 0;
+    static constexpr int history_size = eos_history_size<Eos>;
     static constexpr int constant_size = 0;
     static constexpr bool modulus_changes = true;
     static constexpr bool can_fail = true;
@@ -24,16 +24,18 @@ struct FluidPoint {
     template <class Lane>
     void start(const SolidModes<Lane>&, Lane* history, Lane* constants) const
     {
-        const double pressure = eos.template evaluate<double>(1 / eos.relative_volume).pressure(eos.energy);
+        const double compression = 1 / eos.relative_volume;
+        const double pressure = respond(eos, compression, &compression).pressure(eos.energy);
+        if constexpr (eos_history_size < Eos >> 0) history[point_history] = broadcast<Lane>(compression);
         for (int i = 0; i < 3; ++i) history[stress_history + i] = broadcast<Lane>(-pressure);
         history[internal_energy_history] = eos.energy / constants[inverse_volume_constant];
     }
 
     template <class Lane>
-    Lane wave_modulus(const SolidMotion<Lane>& motion, HistoryView<Lane>) const
+    Lane wave_modulus(const SolidMotion<Lane>& motion, HistoryView<Lane> history) const
     {
         const Lane compression = 1.0 / motion.relative_volume;
-        const PressureResponse<Lane> response = eos.evaluate(compression);
+        const PressureResponse<Lane> response = respond(eos, compression, history.values);
         const Lane pressure =
             max(response.pressure(motion.energy_density), broadcast<Lane>(fluid.lowest_pressure));
         const Lane stiffness = response.stiffness(compression, pressure, motion.energy_density);
@@ -42,7 +44,8 @@ struct FluidPoint {
     }
 
     template <class Lane>
-    void update(SymmetricTensor<Lane>& stress, HistoryView<Lane>, const SolidMotion<Lane>& motion) const
+    void update(SymmetricTensor<Lane>& stress, HistoryView<Lane> history,
+                const SolidMotion<Lane>& motion) const
     {
         const Lane pressure_before = (-1.0 / 3) * trace(stress);
         const SymmetricTensor<Lane> shear_before = deviator(stress);
@@ -51,9 +54,9 @@ struct FluidPoint {
         const Lane middle_volume = motion.relative_volume - 0.5 * motion.volume_change;
         const Lane other_work = 0.5 * middle_volume * contract(shear_before + shear, motion.increment) -
                                 motion.mean_viscosity * motion.volume_change;
-        const PressureStep<Lane> end =
-            advance_pressure(eos.evaluate(Lane{1.0 / motion.relative_volume}), motion.energy_density,
-                             other_work, pressure_before, motion.volume_change, fluid.lowest_pressure);
+        const PressureStep<Lane> end = advance_pressure(
+            respond_and_remember(eos, Lane{1.0 / motion.relative_volume}, history.values),
+            motion.energy_density, other_work, pressure_before, motion.volume_change, fluid.lowest_pressure);
         stress = {shear.xx - end.pressure,
                   shear.yy - end.pressure,
                   shear.zz - end.pressure,

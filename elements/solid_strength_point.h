@@ -1,7 +1,7 @@
 #pragma once
 
 #include "elements/solid_step.h"
-#include "eos/response.h"
+#include "eos/memory.h"
 
 namespace plash {
 
@@ -12,7 +12,8 @@ struct StrengthPoint {
     Strength law;
     Eos eos;
 
-    static constexpr int history_size = Strength::history_size;
+    static constexpr int history_size = Strength::history_size + eos_history_size<Eos>;
+    static constexpr int memory = Strength::history_size; ///< of the equation of state
     static constexpr int constant_size = 0;
     static constexpr bool modulus_changes = true;
     static constexpr bool can_fail = true;
@@ -21,7 +22,10 @@ struct StrengthPoint {
     template <class Lane>
     void start(const SolidModes<Lane>&, Lane* history, Lane* constants) const
     {
-        const double pressure = eos.template evaluate<double>(1 / eos.relative_volume).pressure(eos.energy);
+        const double compression = 1 / eos.relative_volume;
+        const double pressure = respond(eos, compression, &compression).pressure(eos.energy);
+        if constexpr (eos_history_size < Eos >> 0)
+            history[point_history + memory] = broadcast<Lane>(compression);
         for (int i = 0; i < 3; ++i) history[stress_history + i] = broadcast<Lane>(-pressure);
         history[internal_energy_history] = eos.energy / constants[inverse_volume_constant];
         const auto values = law.initial_history();
@@ -30,10 +34,10 @@ struct StrengthPoint {
     }
 
     template <class Lane>
-    Lane wave_modulus(const SolidMotion<Lane>& motion, HistoryView<Lane>) const
+    Lane wave_modulus(const SolidMotion<Lane>& motion, HistoryView<Lane> history) const
     {
         const Lane compression = 1.0 / motion.relative_volume;
-        const PressureResponse<Lane> response = eos.evaluate(compression);
+        const PressureResponse<Lane> response = respond(eos, compression, history.values + memory);
         const Lane pressure =
             max(response.pressure(motion.energy_density), broadcast<Lane>(law.lowest_pressure()));
         const Lane stiffness = response.stiffness(compression, pressure, motion.energy_density);
@@ -51,9 +55,9 @@ struct StrengthPoint {
         const Lane middle_volume = motion.relative_volume - 0.5 * motion.volume_change;
         const Lane other_work = 0.5 * middle_volume * contract(shear_before + shear, motion.increment) -
                                 motion.mean_viscosity * motion.volume_change;
-        const PressureStep<Lane> end =
-            advance_pressure(eos.evaluate(Lane{1.0 / motion.relative_volume}), motion.energy_density,
-                             other_work, pressure_before, motion.volume_change, law.lowest_pressure());
+        const PressureStep<Lane> end = advance_pressure(
+            respond_and_remember(eos, Lane{1.0 / motion.relative_volume}, history.values + memory),
+            motion.energy_density, other_work, pressure_before, motion.volume_change, law.lowest_pressure());
         // What has broken bears no tension.
         Lane pressure = law.broken(history) ? max(end.pressure, Lane{}) : end.pressure;
         law.spall.apply(shear, pressure, history[Strength::spalled]);

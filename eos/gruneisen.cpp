@@ -6,6 +6,28 @@
 
 namespace plash {
 
+namespace {
+
+/// Excess compression at which the shock velocity of the fit is ten times the sound speed: 1 - S1 z - S2 z^2
+/// - S3 z^3 = 1/10 with z = mu / (mu + 1) = particle velocity over shock velocity. None below z = 1: huge.
+double fastest_shock(const Gruneisen& eos)
+{
+    const auto slowness = [&](double z) { return 1 - z * (eos.s1 + z * (eos.s2 + z * eos.s3)) - 0.1; };
+    constexpr int parts = 1000;
+    for (int i = 1; i < parts; ++i) {
+        double high = static_cast<double>(i) / parts, low = high - 1.0 / parts;
+        if (slowness(high) > 0) continue;
+        for (int halving = 0; halving < 60; ++halving) {
+            const double middle = 0.5 * (low + high);
+            (slowness(middle) > 0 ? low : high) = middle;
+        }
+        return low / (1 - low);
+    }
+    return 1e300;
+}
+
+} // namespace
+
 Gruneisen Gruneisen::from_record(const Record& record, double density)
 {
     const double sound = record.real("C");
@@ -33,6 +55,7 @@ Gruneisen Gruneisen::from_record(const Record& record, double density)
         throw DeckError(record.where, fmt::format("*{}, field V0: {} is no positive relative volume",
                                                   record.keyword, volume));
     }
+    eos.largest = fastest_shock(eos);
     return eos;
 }
 

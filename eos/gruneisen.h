@@ -10,6 +10,10 @@ namespace plash {
 ///       / [1 - (S1 - 1) mu - S2 mu^2 / (mu + 1) - S3 mu^3 / (mu + 1)^2]^2 + (gamma0 + a mu) E,
 /// in expansion p = rho0 C^2 mu + (gamma0 + a mu) E.
 /// Source: Hallquist (2006), LS-DYNA theory manual, equation of state form 4.
+///
+/// The denominator has a zero where the shock velocity of the fit becomes infinite; behind it the formula
+/// would give pressures that fall again. From `largest` on, where the shock is ten times as fast as sound
+/// (far outside of any fit), the pressure goes on along its tangent.
 struct Gruneisen {
     double s1 = 0, s2 = 0, s3 = 0;
     double gamma = 0;           ///< GAMMA0
@@ -17,6 +21,7 @@ struct Gruneisen {
     double energy = 0;          ///< E0 [stress]
     double relative_volume = 1; ///< V0
     double bulk_modulus = 0;    ///< rho0 C^2 [stress]
+    double largest = 1e300;     ///< mu from which the tangent takes over
 
     static Gruneisen from_record(const Record& record, double density);
 
@@ -24,7 +29,7 @@ struct Gruneisen {
     PressureResponse<Lane> evaluate(const Lane& compression) const
     {
         const Lane mu = compression - 1.0;
-        const Lane squeezed = max(mu, Lane{});
+        const Lane squeezed = min(max(mu, Lane{}), broadcast<Lane>(largest));
         // In powers of z = mu / (mu + 1): denominator = 1 - (S1 - 1) mu - mu (S2 z + S3 z^2).
         const Lane inverse = 1.0 / (1.0 + squeezed);
         const Lane z = squeezed * inverse, z_slope = inverse * inverse;
@@ -35,9 +40,10 @@ struct Gruneisen {
         const Lane numerator_slope = 1.0 + squeezed * (2 * (1 - 0.5 * gamma) - 1.5 * a * squeezed);
         const Lane per = 1.0 / denominator, per_square = per * per;
         const MaskOf<Lane> expanded = mu < 0.0;
-        return {bulk_modulus * (expanded ? mu : numerator * per_square), gamma + a * mu,
-                bulk_modulus * (numerator_slope - 2.0 * numerator * per * denominator_slope) * per_square,
-                broadcast<Lane>(a)};
+        const Lane slope = (numerator_slope - 2.0 * numerator * per * denominator_slope) * per_square;
+        const Lane beyond = max(mu - largest, Lane{});
+        return {bulk_modulus * (expanded ? mu : numerator * per_square + slope * beyond), gamma + a * mu,
+                bulk_modulus * slope, broadcast<Lane>(a)};
     }
 };
 

@@ -7,82 +7,27 @@ namespace plash {
 namespace {
 
 /// Points over the volume strain, falling, as a line over the compression strain, rising.
-Tabulated::Line line_of(const Record& record, const std::vector<double>& strain,
-                        const std::vector<double>& value)
+BrokenLine line_of(const Record& record, std::vector<double> strain, const std::vector<double>& value)
 {
-    Tabulated::Line line;
-    line.start = -strain.front();
-    line.value = value.front();
-    double before = 0;
     for (std::size_t i = 0; i + 1 < strain.size(); ++i) {
-        if (!(strain[i + 1] < strain[i])) {
-            throw DeckError(record.where,
-                            fmt::format("*{}, field EV{}: the volume strain {} does not fall below {} of the "
-                                        "point before",
-                                        record.keyword, i + 2, strain[i + 1], strain[i]));
-        }
-        const double slope = (value[i + 1] - value[i]) / (strain[i] - strain[i + 1]);
-        line.kink[line.kinks] = -strain[i];
-        line.change[line.kinks++] = slope - before;
-        before = slope;
-    }
-    return line;
-}
-
-/// Points of a curve over the volume strain from the largest strain down; more than fit are refused.
-void take_curve(const Record& record, const NamedCurve& curve, std::vector<double>& strain,
-                std::vector<double>& value)
-{
-    strain.assign(curve.curve.abscissa.rbegin(), curve.curve.abscissa.rend());
-    value.assign(curve.curve.ordinate.rbegin(), curve.curve.ordinate.rend());
-    if (strain.size() > Tabulated::Line::most_kinks + 1) {
+        if (strain[i + 1] < strain[i]) continue;
         throw DeckError(record.where,
-                        fmt::format("*{}: curve {} has {} points; at most {} are supported", record.keyword,
-                                    curve.id, strain.size(), Tabulated::Line::most_kinks + 1));
+                        fmt::format("*{}, field EV{}: the volume strain {} does not fall below {} of the "
+                                    "point before",
+                                    record.keyword, i + 2, strain[i + 1], strain[i]));
     }
+    for (double& one : strain) one = -one;
+    return {strain, value};
 }
 
-Tabulated read(const Record& record, const Model* model)
+Tabulated read_tabulated(const Record& record, const Model* model)
 {
-    std::vector<double> strain, cold, warm;
-    for (int i = 1; i <= 10; ++i) {
-        const double value = record.real(fmt::format("EV{}", i));
-        const double c = record.real(fmt::format("C{}", i)), t = record.real(fmt::format("T{}", i));
-        // The list ends where an all-empty point follows a point in compression.
-        if (i > 1 && value == 0 && c == 0 && strain.back() <= 0) break;
-        strain.push_back(value);
-        cold.push_back(c);
-        warm.push_back(t);
-    }
-    std::vector<double> warm_strain = strain;
-    const auto curve = [&](const char* field, std::vector<double>& x, std::vector<double>& y) {
-        const Id id = record.integer(field);
-        if (id == 0) return;
-        const Index index = model ? model->find_curve(id) : none;
-        if (index == none) {
-            throw DeckError(record.where,
-                            fmt::format("*{}, field {}: curve {} is not supported here or does not exist",
-                                        record.keyword, field, id));
-        }
-        take_curve(record, model->curves[index], x, y);
-    };
-    curve("LCC", strain, cold);
-    curve("LCT", warm_strain, warm);
-    if (strain.size() < 2) {
-        throw DeckError(record.where, fmt::format("*{} {}: there are no points of volume strain and pressure",
-                                                  record.keyword, record.id));
-    }
     Tabulated eos;
-    eos.cold = line_of(record, strain, cold);
-    eos.warm = line_of(record, warm_strain, warm);
+    eos.cold = tabulated_column(record, model, "C", "LCC");
+    eos.warm = tabulated_column(record, model, "T", "LCT");
     eos.gamma = record.real("GAMA");
     eos.energy = record.real("E0");
-    const double volume = record.real("V0");
-    eos.relative_volume = volume != 0 ? volume : 1;
-    if (!(eos.relative_volume > 0)) {
-        throw DeckError(record.where, fmt::format("*{}, field V0: {} is no positive relative volume",
-                                                  record.keyword, volume));
-    }
+    eos.relative_volume = initial_relative_volume(record, "V0");
     double pressure = 0;
     eos.cold.evaluate(1e-12, pressure, eos.bulk_modulus);
     if (!(eos.bulk_modulus > 0)) {
@@ -94,14 +39,55 @@ Tabulated read(const Record& record, const Model* model)
 
 } // namespace
 
+BrokenLine tabulated_column(const Record& record, const Model* model, std::string_view column,
+                            std::string_view curve_field)
+{
+    std::vector<double> strain, value;
+    for (int i = 1; i <= 10; ++i) {
+        const double place = record.real(fmt::format("EV{}", i));
+        const double pressure = record.real(fmt::format("C{}", i));
+        // The list ends where an all-empty point follows a point in compression.
+        if (i > 1 && place == 0 && pressure == 0 && strain.back() <= 0) break;
+        strain.push_back(place);
+        value.push_back(record.real(fmt::format("{}{}", column, i)));
+    }
+    const Id id = record.integer(curve_field);
+    if (id != 0) {
+        const Index index = model ? model->find_curve(id) : none;
+        if (index == none) {
+            throw DeckError(record.where,
+                            fmt::format("*{}, field {}: curve {} is not supported here or does not exist",
+                                        record.keyword, curve_field, id));
+        }
+        const Curve& curve = model->curves[index].curve;
+        strain.assign(curve.abscissa.rbegin(), curve.abscissa.rend());
+        value.assign(curve.ordinate.rbegin(), curve.ordinate.rend());
+    }
+    if (strain.size() < 2 && column == "C") {
+        throw DeckError(record.where, fmt::format("*{} {}: there are no points of volume strain and pressure",
+                                                  record.keyword, record.id));
+    }
+    return line_of(record, std::move(strain), value);
+}
+
+double initial_relative_volume(const Record& record, std::string_view field)
+{
+    const double volume = record.real(field);
+    if (volume < 0) {
+        throw DeckError(record.where, fmt::format("*{}, field {}: {} is no positive relative volume",
+                                                  record.keyword, field, volume));
+    }
+    return volume != 0 ? volume : 1;
+}
+
 Tabulated Tabulated::from_record(const Record& record, const Model& model)
 {
-    return read(record, &model);
+    return read_tabulated(record, &model);
 }
 
 Tabulated Tabulated::from_record(const Record& record, double /*density*/)
 {
-    return read(record, nullptr);
+    return read_tabulated(record, nullptr);
 }
 
 } // namespace plash

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "eos/response.h"
-#include "math/curve.h"
+#include "math/broken_line.h"
 #include "math/lanes_math.h"
 #include "model/model.h"
 
-#include <array>
+#include <string_view>
 
 namespace plash {
 
@@ -13,28 +13,7 @@ namespace plash {
 /// lines through up to ten points (or curves), which go on with the slope of their ends.
 /// Source: Hallquist (2006), LS-DYNA theory manual, equation of state form 9.
 struct Tabulated {
-    /// A broken line over the compression strain -e as a sum over its kinks: short, and without look-up.
-    struct Line {
-        static constexpr int most_kinks = 10;
-        double start = 0, value = 0; ///< first point
-        std::array<double, most_kinks> kink{};
-        std::array<double, most_kinks> change{}; ///< of the slope there; the first entry is the first slope
-        int kinks = 0;
-
-        template <class Lane>
-        void evaluate(const Lane& strain, Lane& result, Lane& slope) const
-        {
-            const Lane zero{};
-            slope = broadcast<Lane>(change[0]);
-            result = value + change[0] * (strain - start);
-            for (int i = 1; i < kinks; ++i) {
-                const Lane beyond = strain - kink[i];
-                result += change[i] * max(beyond, zero);
-                slope += beyond > 0.0 ? broadcast<Lane>(change[i]) : zero;
-            }
-        }
-    };
-    Line cold, warm;            ///< C [stress], T [-] over -e
+    BrokenLine cold, warm;      ///< C [stress], T [-] over -e
     double gamma = 0;           ///< GAMA
     double energy = 0;          ///< E0 [stress]
     double relative_volume = 1; ///< V0
@@ -54,5 +33,13 @@ struct Tabulated {
         return {c, gamma * t, c_slope * per, gamma * t_slope * per};
     }
 };
+
+/// A column of the table of a tabulated equation of state over the compression strain -ln(relative volume):
+/// the values of fields like C1..C10 over EV1..EV10, or the curve that `curve_field` names.
+BrokenLine tabulated_column(const Record& record, const Model* model, std::string_view column,
+                            std::string_view curve_field);
+
+/// V0 of a card; 1 where it is empty.
+double initial_relative_volume(const Record& record, std::string_view field);
 
 } // namespace plash
