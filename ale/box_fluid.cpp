@@ -36,6 +36,8 @@ double BoxFluid::sweep()
     for (int position = 0; position < 3; ++position) {
         const int axis = swept_direction(steps_done(), position, 3);
         find_outflow_shares(grid, fields, contents, axis);
+        for (const DryFace& face : dry_faces)
+            if (face.axis == axis) close(face);
         sweep_cells(grid, fields, contents, scratch_, axis, order);
         if (open_sides) left += motion_through_sides(grid, fields, axis);
         sweep_momentum(grid, fields, contents, scratch_, axis, order);
@@ -167,6 +169,13 @@ MeshPoint BoxFluid::locate(const Vec3& point, const std::array<int, 3>& guess) c
 std::ptrdiff_t BoxFluid::place_of(const MeshPoint& point) const
 {
     return grid.at(point.cell[0], point.cell[1], point.cell[2]);
+}
+
+std::ptrdiff_t BoxFluid::cell_beyond(const MeshPoint& point, int axis, int side) const
+{
+    const int next = point.cell[axis] + (side == 0 ? -1 : 1);
+    if (next < 0 || next >= grid.cells(axis)) return -1;
+    return place_of(point) + (side == 0 ? -1 : 1) * grid.stride(axis);
 }
 
 PlaceWeights BoxFluid::node_weights(const MeshPoint& point) const

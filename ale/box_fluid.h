@@ -29,6 +29,7 @@ public:
 
     MeshPoint locate(const Vec3& point, const std::array<int, 3>& guess) const override;
     std::ptrdiff_t place_of(const MeshPoint& point) const override;
+    std::ptrdiff_t cell_beyond(const MeshPoint& point, int axis, int side) const override;
     PlaceWeights node_weights(const MeshPoint& point) const override;
     PlaceWeights cell_weights(const MeshPoint& point) const override;
     std::array<Vec3, 3> edges(const MeshPoint& point) const override;

@@ -33,6 +33,12 @@ void Fluid::keep_ambient(std::vector<std::ptrdiff_t> places)
                 {group.mass[place], group.energy[place], group.fraction.empty() ? 1 : group.fraction[place]});
 }
 
+void Fluid::close(const DryFace& face)
+{
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        if (face.fluids >> g & 1) fields.groups[g].share_of_outflow[face.side][face.cell] = 0;
+}
+
 void Fluid::start()
 {
     update_contents();

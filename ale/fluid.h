@@ -38,6 +38,13 @@ struct OuterNode {
     int axis;
 };
 
+/// A face behind a coupled surface: some fluids do not leave the cell through it.
+struct DryFace {
+    std::ptrdiff_t cell; ///< storage place
+    int axis, side;      ///< of the cell
+    unsigned fluids;     ///< bit g for fluid g
+};
+
 /// An Eulerian fluid on a mesh, whose kind is that of the class derived from this one (BoxFluid, HexFluid):
 /// state, step and energies. All times t_n; see ale/lagrange.h and ale/remap.h for the two halves of a step.
 class Fluid {
@@ -51,6 +58,7 @@ public:
     FluidFields fields;
     std::vector<HeldNode> held;
     std::vector<NodeForceFromOutside> outside_forces; ///< of the coming step; the owner fills and clears it
+    std::vector<DryFace> dry_faces;                   ///< likewise
     std::vector<NodeForceFromOutside> loads;          ///< likewise, but on the fluid alone, over its own step
 
     virtual ~Fluid() = default;
@@ -91,6 +99,8 @@ public:
     /// Where a point lies in the mesh; looks first in the cell where it was before.
     virtual MeshPoint locate(const Vec3& point, const std::array<int, 3>& guess) const = 0;
     virtual std::ptrdiff_t place_of(const MeshPoint& point) const = 0;
+    /// The cell beyond a face of the point's cell; negative: the mesh ends there.
+    virtual std::ptrdiff_t cell_beyond(const MeshPoint& point, int axis, int side) const = 0;
     /// The nodes of the point's cell with trilinear weights.
     virtual PlaceWeights node_weights(const MeshPoint& point) const = 0;
     /// Cells around the point whose values, so weighted, vary continuously with it.
@@ -118,6 +128,8 @@ protected:
     virtual CrossingRate evaluate(double last_step) = 0;
     virtual std::ptrdiff_t number_of(std::ptrdiff_t place) const = 0;
     virtual void update_contents() = 0;
+    /// Once the shares of what leaves the cells are known, those of a dry face.
+    void close(const DryFace& face);
     virtual double kinetic_energy() const = 0;
     virtual double internal_energy(int group) const = 0;
 

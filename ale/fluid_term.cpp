@@ -203,6 +203,7 @@ void EulerianFluid::after_motion(const Clock& clock, State& state)
     for (double& along : distance) along *= clock.step;
     fluid_->shift(distance);
     fluid_->outside_forces.clear();
+    fluid_->dry_faces.clear();
 }
 
 StepVote EulerianFluid::stable_step() const

@@ -58,6 +58,7 @@ FluidCoupling::FluidCoupling(const Model& model, CouplingOptions options, Surfac
       cell_(points_.size()),
       load_(fluid.fluid().fields.node_mass.size()),
       structure_load_(position.size()),
+      dry_faces_(fluid.fluid()),
       entry_(fluid.fluid().fields.node_mass.size(), none)
 {
     for (const DeckGroup& group : fluid.groups().groups)
@@ -112,14 +113,15 @@ double FluidCoupling::share_behind(const MeshPoint& at, const Vec3& normal) cons
 void FluidCoupling::look(std::size_t point, const Clock& clock, const State& state)
 {
     Touch& touch = touches_[point];
-    touch.active = false;
+    touch.active = touch.place.inside = false;
     if (clock.time < options_.start || clock.time > options_.end || !points_.exposed(point, state)) return;
     const CouplingPoints::Motion motion = points_.motion(point, state);
     touch.area = norm(motion.area);
     if (!(touch.area > 0)) return;
     touch.normal = ((options_.turned ? -1 : 1) / touch.area) * motion.area;
+    touch.position = motion.position;
     const Fluid& fluid = fluid_.fluid();
-    const MeshPoint at = fluid.locate(motion.position, cell_[point]);
+    const MeshPoint at = touch.place = fluid.locate(motion.position, cell_[point]);
     if (!at.inside) return;
     cell_[point] = at.cell;
     // A point that holds fluid lets it go later than it took it: what has come through would be lost with the
@@ -129,7 +131,6 @@ void FluidCoupling::look(std::size_t point, const Clock& clock, const State& sta
 
     touch.at = fluid.node_weights(at);
     double filled = 0, density = 0;
-    Vec3 velocity{};
     for (int corner = 0; corner < 8; ++corner) {
         double& weight = touch.at.weight[corner];
         const std::ptrdiff_t place = touch.at.place[corner];
@@ -137,13 +138,7 @@ void FluidCoupling::look(std::size_t point, const Clock& clock, const State& sta
         filled += weight;
     }
     if (filled < 1e-6) return;
-    for (int corner = 0; corner < 8; ++corner) {
-        double& weight = touch.at.weight[corner];
-        const std::ptrdiff_t place = touch.at.place[corner];
-        weight /= filled;
-        const auto& v = fluid.fields.velocity;
-        velocity += weight * Vec3{v[0][place], v[1][place], v[2][place]};
-    }
+    for (double& weight : touch.at.weight) weight /= filled;
     double stiffness = 0;
     for (std::size_t g = 0; g < fluid.groups.size(); ++g) {
         if (!(options_.fluids >> g & 1) || bulk_modulus_[g] < stiffness) continue;
@@ -159,7 +154,7 @@ void FluidCoupling::look(std::size_t point, const Clock& clock, const State& sta
     const double damping = options_.stiffest ? 1 : options_.damping;
     touch.stiffness = penalty * stiffness * touch.area / length;
     touch.damper = 2 * damping * std::sqrt(touch.stiffness * 0.5 * density * touch.area * length);
-    touch.approach = motion.velocity - velocity;
+    touch.velocity = motion.velocity;
     touch.excess = options_.leak_control > 0 ? length * share_behind(at, touch.normal) : 0;
     touch.active = true;
 }
@@ -173,51 +168,72 @@ double FluidCoupling::needed_mass(const Touch& touch) const
     return 0.5 * (touch.stiffness * step * step + 2 * touch.damper * step);
 }
 
+/// Adds up in load_ what the points want of the fluid's nodes.
+void FluidCoupling::add_loads()
+{
+    for (const Touch& touch : touches_) {
+        if (!touch.active) continue;
+        const double needed = needed_mass(touch);
+        for (int corner = 0; corner < 8; ++corner)
+            load_[touch.at.place[corner]] += touch.at.weight[corner] * needed;
+    }
+}
+
+void FluidCoupling::clear_loads()
+{
+    for (const Touch& touch : touches_) {
+        if (!touch.active) continue;
+        for (const std::ptrdiff_t place : touch.at.place) load_[place] = 0;
+    }
+}
+
 void FluidCoupling::limit_stiffness(const State& state)
 {
     const AlignedDoubles& mass = fluid_.fluid().fields.node_mass;
-    const auto for_nodes = [&](std::size_t point, auto&& of_fluid, auto&& of_structure) {
-        const Touch& touch = touches_[point];
-        for (int corner = 0; corner < 8; ++corner)
-            if (touch.at.weight[corner] > 0) of_fluid(touch.at.place[corner], touch.at.weight[corner]);
+    const auto for_corners = [&](std::size_t point, auto&& visit) {
         for (int corner = 0; corner < 4; ++corner) {
             const Index node = points_.nodes(point)[corner];
-            if (state.mass[node] > 0) of_structure(node, points_.place(point).weight[corner]);
+            if (state.mass[node] > 0) visit(node, points_.place(point).weight[corner]);
         }
     };
+    add_loads();
     for (std::size_t point = 0; point < touches_.size(); ++point) {
         if (!touches_[point].active) continue;
         const double needed = needed_mass(touches_[point]);
-        for_nodes(
-            point, [&](std::ptrdiff_t place, double weight) { load_[place] += weight * needed; },
-            [&](Index node, double weight) { structure_load_[node] += weight * needed; });
+        for_corners(point, [&](Index node, double weight) { structure_load_[node] += weight * needed; });
     }
     for_chunks(touches_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t point = begin; point < end; ++point) {
-            if (!touches_[point].active) continue;
+            Touch& touch = touches_[point];
+            if (!touch.active) continue;
             double share = 1;
-            for_nodes(
-                point,
-                [&](std::ptrdiff_t place, double) { share = std::min(share, mass[place] / load_[place]); },
-                [&](Index node, double) {
-                    share = std::min(share, state.mass[node] / structure_load_[node]);
-                });
-            touches_[point].stiffness *= share;
-            touches_[point].damper *= share;
+            for (int corner = 0; corner < 8; ++corner) {
+                const std::ptrdiff_t place = touch.at.place[corner];
+                if (touch.at.weight[corner] > 0) share = std::min(share, mass[place] / load_[place]);
+            }
+            for_corners(point, [&](Index node, double) {
+                share = std::min(share, state.mass[node] / structure_load_[node]);
+            });
+            touch.stiffness *= share;
+            touch.damper *= share;
         }
     });
-    for (std::size_t point = 0; point < touches_.size(); ++point) {
-        if (!touches_[point].active) continue;
-        for_nodes(
-            point, [&](std::ptrdiff_t place, double) { load_[place] = 0; },
-            [&](Index node, double) { structure_load_[node] = 0; });
-    }
+    clear_loads();
+    for (std::size_t point = 0; point < touches_.size(); ++point)
+        if (touches_[point].active)
+            for_corners(point, [&](Index node, double) { structure_load_[node] = 0; });
 }
 
 void FluidCoupling::stretch(std::size_t point, const Clock& clock)
 {
     Touch& touch = touches_[point];
     if (!touch.active) return;
+    const auto& v = fluid_.fluid().fields.velocity;
+    touch.approach = touch.velocity;
+    for (int corner = 0; corner < 8; ++corner) {
+        const std::ptrdiff_t place = touch.at.place[corner];
+        touch.approach -= touch.at.weight[corner] * Vec3{v[0][place], v[1][place], v[2][place]};
+    }
     const double normal_speed = dot(touch.approach, touch.normal);
     double& depth = penetration_[point];
     depth += normal_speed * clock.last_step;
@@ -250,10 +266,7 @@ void FluidCoupling::separate()
             penetration_[point] = std::max(penetration_[point], 0.0);
         }
     });
-    for (const Touch& touch : touches_) {
-        if (!touch.active) continue;
-        for (int corner = 0; corner < 8; ++corner) load_[touch.at.place[corner]] = 0;
-    }
+    clear_loads();
 }
 
 void FluidCoupling::press(std::size_t point, const Clock& clock)
@@ -301,6 +314,16 @@ void FluidCoupling::push_fluid(const Touch& touch, const Vec3& force)
     }
 }
 
+/// Only where the mesh has void: what a dry face keeps back, void replaces in what passes it.
+void FluidCoupling::find_dry_faces()
+{
+    if (!fluid_.fluid().lagrange.void_allowed) return;
+    present_.clear();
+    for (const Touch& touch : touches_)
+        if (touch.place.inside) present_.push_back({touch.place, touch.position, touch.normal});
+    dry_faces_.find(fluid_.fluid(), present_, options_.fluids);
+}
+
 /// In the order of the points, so that sums are the same for any number of threads.
 void FluidCoupling::hand_out(const Clock&, State& state)
 {
@@ -332,6 +355,7 @@ void FluidCoupling::add_forces(const Clock& clock, State& state)
     for_chunks(points_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t point = begin; point < end; ++point) look(point, clock, state);
     });
+    find_dry_faces();
     limit_stiffness(state);
     for_chunks(points_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t point = begin; point < end; ++point) stretch(point, clock);

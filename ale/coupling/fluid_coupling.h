@@ -2,6 +2,7 @@
 
 #include "ale/coupling/coupling_options.h"
 #include "ale/coupling/coupling_points.h"
+#include "ale/coupling/dry_faces.h"
 #include "core/term.h"
 
 #include <memory>
@@ -36,15 +37,18 @@ public:
 private:
     /// What is known of a point in this cycle.
     struct Touch {
+        MeshPoint place;      ///< in the mesh
+        Vec3 position;        ///< [length]
         PlaceWeights at;      ///< nodes of the fluid; weights without empty nodes
         Vec3 normal;          ///< unit, into the fluid
         double area = 0;      ///< [length^2]
         double stiffness = 0; ///< spring of the point [force/length]
         double damper = 0;    ///< [force time/length]
+        Vec3 velocity;        ///< of the surface [velocity]
         Vec3 approach;        ///< velocity of the surface against the fluid [velocity]
         double pressing = 0;  ///< normal force, positive apart [force]
         double excess = 0;    ///< how far fluid stands behind the surface [length]; only with leak control
-        bool active = false;
+        bool active = false;  ///< fluid stands before it
     };
 
     const Model& model_;
@@ -62,6 +66,8 @@ private:
     /// Mass that the springs and dampers on each node need to be stable, by storage place of the fluid's
     /// nodes and by node of the State [mass]; zero between uses.
     std::vector<double> load_, structure_load_;
+    DryFaces dry_faces_;
+    std::vector<DryFaces::Point> present_; ///< points in the mesh
     std::vector<Index> entry_; ///< of each node of the fluid among its outside forces, by storage place
     double work_on_structure_ = 0;
 
@@ -69,10 +75,13 @@ private:
     double fraction_before(const Vec3& position, const Touch& touch, const std::array<int, 3>& cell) const;
     double share_behind(const MeshPoint& at, const Vec3& normal) const;
     void limit_stiffness(const State& state);
+    void add_loads();
+    void clear_loads();
     double needed_mass(const Touch& touch) const;
     void stretch(std::size_t point, const Clock& clock);
     void separate();
     void press(std::size_t point, const Clock& clock);
+    void find_dry_faces();
     void push_fluid(const Touch& touch, const Vec3& force);
     void hand_out(const Clock& clock, State& state);
     ElementResults::ContactForce as_contact(const State& state) const;

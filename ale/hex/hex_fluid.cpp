@@ -196,6 +196,13 @@ MeshPoint HexFluid::locate(const Vec3& point, const std::array<int, 3>& guess) c
     return {{found.cell, 0, 0}, found.part, true};
 }
 
+std::ptrdiff_t HexFluid::cell_beyond(const MeshPoint& point, int axis, int side) const
+{
+    const HexFace& face = mesh.faces[mesh.cell_faces[point.cell[0]][2 * axis + side]];
+    const Index next = side == 0 ? face.below : face.above;
+    return next == none ? -1 : next;
+}
+
 PlaceWeights HexFluid::node_weights(const MeshPoint& point) const
 {
     PlaceWeights result;

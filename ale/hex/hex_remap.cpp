@@ -261,8 +261,11 @@ double HexFluid::sweep()
     double left = 0;
     const int count = mesh.directions;
     for (int position = 0; position < count; ++position) {
-        const HexSweep& sweep = sweeps_[swept_direction(steps_done(), position, count)];
+        const int direction = swept_direction(steps_done(), position, count);
+        const HexSweep& sweep = sweeps_[direction];
         if (mixed_) find_outflow_shares(sweep);
+        for (const DryFace& face : dry_faces)
+            if (mesh.direction[face.cell][face.axis] == direction) close(face);
         if (order == AdvectionOrder::van_leer)
             find_fluxes<true>(sweep);
         else
