@@ -18,6 +18,7 @@ constexpr std::pair<std::string_view, ShellGroupMaker*> makers[] = {
     {"MAT_ELASTIC", make_elastic_shells},
     {"MAT_ENHANCED_COMPOSITE_DAMAGE", make_laminate_shells},
     {"MAT_FABRIC", make_laminate_shells},
+    {"MAT_HILL_3R", make_laminate_shells},
     {"MAT_JOHNSON_COOK", make_johnson_cook_shells},
     {"MAT_LAMINATED_COMPOSITE_FABRIC", make_laminate_shells},
     {"MAT_ORTHOTROPIC_ELASTIC", make_laminate_shells},
@@ -29,6 +30,7 @@ constexpr std::pair<std::string_view, ShellGroupMaker*> makers[] = {
     {"MAT_PLASTIC_KINEMATIC", make_plastic_kinematic_shells},
     {"MAT_PLASTICITY_COMPRESSION_TENSION", make_compression_tension_shells},
     {"MAT_PLASTICITY_WITH_DAMAGE", make_damaged_plasticity_shells},
+    {"MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC", make_laminate_shells},
 };
 
 /// Who makes the group of a part; null for a rigid part.

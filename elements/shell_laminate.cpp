@@ -76,6 +76,10 @@ PlyLaw ply_law(const Model& model, const Part& part, const Record& material)
     if (material.keyword == "MAT_LAMINATED_COMPOSITE_FABRIC") {
         return LaminatedFabric::from_record(material, model);
     }
+    if (material.keyword == "MAT_HILL_3R" ||
+        material.keyword == "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC") {
+        return HillSheet::from_record(material, model);
+    }
     if (material.keyword == "MAT_FABRIC") return Fabric::from_record(material, model);
     if (material.keyword == "MAT_ELASTIC") return Elastic::from_record(material, model);
     if (material.keyword == "MAT_PIECEWISE_LINEAR_PLASTICITY" || is_flow_law(material.keyword)) {

@@ -4,6 +4,7 @@
 #include "materials/composite_damage.h"
 #include "materials/elastic.h"
 #include "materials/fabric.h"
+#include "materials/hill_sheet.h"
 #include "materials/laminated_fabric.h"
 #include "materials/orthotropic_ply.h"
 #include "materials/piecewise_linear_plasticity.h"
@@ -16,7 +17,7 @@ namespace plash {
 
 /// A law that a ply can have.
 using PlyLaw = std::variant<OrthotropicElastic, CompositeDamage, LaminatedFabric, Fabric, Elastic,
-                            PiecewiseLinearPlasticity>;
+                            PiecewiseLinearPlasticity, HillSheet>;
 
 /// A stack of plies as the law of a shell: each point through the thickness is a ply with its own law, place,
 /// weight and angle. Elements of a group share the sequence of materials; places and angles are theirs.
@@ -28,7 +29,7 @@ struct Laminate {
     static constexpr int most_variables =
         std::max({OrthotropicElastic::history_size + 0, CompositeDamage::history_size + 0,
                   LaminatedFabric::history_size + 0, Fabric::history_size + 0, Elastic::history_size + 0,
-                  PiecewiseLinearPlasticity::history_size + 0});
+                  PiecewiseLinearPlasticity::history_size + 0, HillSheet::history_size + 0});
     static constexpr int history_size = own + most_variables;
     std::array<double, history_size> initial_history() const { return {}; }
 

@@ -69,6 +69,8 @@ private:
                 const SolidModes<Lanes> position = start_position(patch, batch, state);
                 start_batch(batch, gradient_of<SolidGradientRule::mean>(position).volume, position, state);
                 start_history(batch, position);
+                if constexpr (requires { point_.start_at(Vector3<Lanes>{}, constants_of(batch)); })
+                    point_.start_at(start_centre(patch, batch, state), constants_of(batch));
                 std::array<Lanes, history_size> trial;
                 std::copy_n(history_of(batch), trial.size(), trial.begin());
                 const auto result =

@@ -1,5 +1,6 @@
 #include "elements/solid_groups.h"
 
+#include "elements/cohesive_solids.h"
 #include "elements/solid_laws.h"
 #include "model/eulerian.h"
 
@@ -41,6 +42,11 @@ constexpr struct {
     {"MAT_FU_CHANG_FOAM", make_fu_chang_foam_solids},
     {"MAT_PLASTICITY_WITH_DAMAGE", make_damaged_plasticity_solids},
     {"MAT_PLASTICITY_COMPRESSION_TENSION", make_compression_tension_solids},
+    {"MAT_ELASTIC_FLUID", make_elastic_fluid_solids},
+    {"MAT_HIGH_EXPLOSIVE_BURN", make_high_explosive_solids},
+    {"MAT_GEOLOGIC_CAP_MODEL", make_geologic_cap_solids},
+    {"MAT_HONEYCOMB", make_honeycomb_solids},
+    {"MAT_LOW_DENSITY_VISCOUS_FOAM", make_low_density_viscous_foam_solids},
 };
 
 /// Shapes that need a group of their own.
@@ -221,7 +227,8 @@ std::vector<std::unique_ptr<SolidGroup>> make_solid_groups(const Model& model, S
     const InitialStresses initial_stresses = initial_solid_stresses(model);
     std::vector<std::unique_ptr<SolidGroup>> groups;
     for (std::size_t part = 0; part < elements.size(); ++part) {
-        if (elements[part].empty() || is_eulerian(model, static_cast<Index>(part))) continue;
+        const auto number = static_cast<Index>(part);
+        if (elements[part].empty() || is_eulerian(model, number) || is_cohesive(model, number)) continue;
         add_part(model, static_cast<Index>(part), elements[part], initial_stresses, state, groups);
     }
     return groups;

@@ -30,5 +30,11 @@ std::unique_ptr<SolidGroup> make_damaged_plasticity_solids(const Record&, const 
 std::unique_ptr<SolidGroup> make_compression_tension_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_fu_chang_foam_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_low_density_foam_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_low_density_viscous_foam_solids(const Record&, const Record*, SolidSetup,
+                                                                 State&);
+std::unique_ptr<SolidGroup> make_elastic_fluid_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_high_explosive_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_geologic_cap_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_honeycomb_solids(const Record&, const Record*, SolidSetup, State&);
 
 } // namespace plash

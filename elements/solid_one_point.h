@@ -70,6 +70,8 @@ private:
                 start_batch(batch, gradient_of<rule>(position).volume, position, state);
                 Lanes* history = history_of(batch);
                 point_.start(position, history, constants_of(batch));
+                if constexpr (requires { point_.start_at(Vector3<Lanes>{}, history); })
+                    point_.start_at(start_centre(patch, batch, state), constants_of(batch));
                 std::array<Lanes, point_history + Point::history_size> trial;
                 std::copy_n(history, trial.size(), trial.begin());
                 const auto result = solid_step<rule>(point_, setup_.parameters, position, SolidModes<Lanes>{},

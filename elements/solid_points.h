@@ -1,5 +1,6 @@
 #pragma once
 
+#include "elements/solid_axes.h"
 #include "elements/solid_step.h"
 
 namespace plash {
@@ -24,11 +25,12 @@ struct RatePoint {
     /// position  at the start
     /// history   of the whole element (SolidHistory), all zero on entry
     template <class Lane>
-    void start(const SolidModes<Lane>&, Lane* history, Lane* /*constants*/) const
+    void start([[maybe_unused]] const SolidModes<Lane>& position, Lane* history, Lane* /*constants*/) const
     {
         const auto values = law.initial_history();
         for (std::size_t i = 0; i < values.size(); ++i)
             history[point_history + i] = broadcast<Lane>(values[i]);
+        if constexpr (requires { law.axes; }) start_solid_axes(law.axes, position, history + point_history);
     }
 
     /// Density times the square of the speed of compression waves [stress].

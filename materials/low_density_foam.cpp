@@ -25,9 +25,6 @@ LowDensityFoam LowDensityFoam::from_record(const Record& record, const Model& mo
     foam.shape = value_or(record.real("SHAPE"), 1);
     if (!(foam.shape > 0)) reject_field(record, "SHAPE", fmt::format("{} is not positive", foam.shape));
     foam.tears = record.real("FAIL") == 1;
-    if (record.real("ED") != 0) {
-        reject_field(record, "ED", "a relaxing modulus is not supported; leave the field at 0");
-    }
     if (record.real("REF") != 0) {
         reject_field(record, "REF", "a reference geometry is not supported; leave the field at 0");
     }

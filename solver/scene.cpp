@@ -16,6 +16,7 @@
 #include "contact/rigid_wall.h"
 #include "contact/tied_nodes.h"
 #include "elements/beam_groups.h"
+#include "elements/cohesive_solids.h"
 #include "elements/discrete_springs.h"
 #include "elements/shell_groups.h"
 #include "elements/solid_groups.h"
@@ -129,6 +130,7 @@ Scene make_scene(const Model& model)
     std::vector<const Term*> elements; // that know plastic strains
     for (const auto& term : scene.terms) elements.push_back(term.get());
     for (auto& group : make_beam_groups(model, state)) scene.terms.push_back(std::move(group));
+    for (auto& group : make_cohesive_solids(model, state)) scene.terms.push_back(std::move(group));
     if (auto springs = make_springs(model, state)) scene.terms.push_back(std::move(springs));
     for (auto& body : make_particle_bodies(model, state)) scene.terms.push_back(std::move(body));
     for (auto& coupling : make_particle_couplings(model, state)) scene.terms.push_back(std::move(coupling));

@@ -136,8 +136,22 @@ void read_beam_preload(const Record& record, const Block&, Reading& reading)
     reading.model.beam_preloads.push_back(std::move(preload));
 }
 
+/// Stays a record; its point moves with its include.
+void read_detonation(const Record& record, const Block& block, Reading& reading)
+{
+    Record placed = record;
+    const Vec3 point = reading.motion_of(block).point(vector_of(record, "X", "Y", "Z"));
+    for (Record::Field& field : placed.fields) {
+        if (field.name == "X") field.value = point.x;
+        if (field.name == "Y") field.value = point.y;
+        if (field.name == "Z") field.value = point.z;
+    }
+    reading.model.others.push_back(std::move(placed));
+}
+
 constexpr Translator initial_table[] = {
     {"INITIAL_AXIAL_FORCE_BEAM", Phase::conditions, read_beam_preload},
+    {"INITIAL_DETONATION", Phase::conditions, read_detonation},
     {"INITIAL_VELOCITY", Phase::conditions, read_velocity},
     {"INITIAL_VELOCITY_NODE", Phase::conditions, read_node_velocity},
     {"INITIAL_VELOCITY_GENERATION", Phase::conditions, read_generation},
