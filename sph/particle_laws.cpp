@@ -2,9 +2,18 @@
 #include "eos/linear_polynomial.h"
 #include "eos/murnaghan.h"
 #include "eos/tabulated.h"
+#include "materials/compression_tension.h"
+#include "materials/crushable_foam.h"
+#include "materials/damaged_plasticity.h"
 #include "materials/elastic.h"
+#include "materials/elastic_fluid.h"
+#include "materials/geologic_cap.h"
+#include "materials/johnson_cook.h"
 #include "materials/piecewise_linear_plasticity.h"
 #include "materials/plastic_kinematic.h"
+#include "materials/soil_foam.h"
+#include "materials/viscoelastic.h"
+#include "math/lanes_math.h"
 #include "sph/fluid_law.h"
 #include "sph/particle_bodies.h"
 #include "sph/solid_law.h"
@@ -52,6 +61,34 @@ ParticleLawOfPart make_fluid(const Record& material, const Record* equation_of_s
                                 equation_of_state->keyword, equation_of_state->id, part.id));
 }
 
+/// p = -K ln V, of *MAT_ELASTIC_FLUID.
+struct LogarithmicPressure {
+    double bulk_modulus = 0; ///< [stress]
+    double energy = 0, relative_volume = 1;
+
+    template <class Lane>
+    PressureResponse<Lane> evaluate(const Lane& compression) const
+    {
+        return {bulk_modulus * log(compression), Lane{}, bulk_modulus / compression, Lane{}};
+    }
+};
+
+/// The tensor viscosity VC needs the length of an element, which particles do not have.
+ParticleLawOfPart make_elastic_fluid(const Record& material, const Record*, const Model&, const Part& part)
+{
+    const ElasticFluid given = ElasticFluid::from_record(material);
+    if (given.viscosity != 0) {
+        reject_field(material, "VC",
+                     fmt::format("the particles of part {} have no element length for VC = {:g}; give 0, and "
+                                 "Q1 and Q2 of *HOURGLASS for artificial viscosity",
+                                 part.id, given.viscosity));
+    }
+    NullFluid fluid;
+    fluid.density = given.density;
+    fluid.lowest_pressure = given.lowest_pressure;
+    return fluid_with(fluid, LogarithmicPressure{given.bulk_modulus});
+}
+
 template <class Material>
 ParticleLawOfPart solid_of(const Material& material)
 {
@@ -59,8 +96,15 @@ ParticleLawOfPart solid_of(const Material& material)
 }
 
 template <class Material>
-ParticleLawOfPart make_solid(const Record& material, const Record*, const Model& model, const Part&)
+ParticleLawOfPart make_solid(const Record& material, const Record* equation_of_state, const Model& model,
+                             const Part& part)
 {
+    if (equation_of_state) {
+        throw DeckError(part.where,
+                        fmt::format("*PART {}, field EOSID: the particles of *{} {} have their pressure from "
+                                    "the material alone; give 0",
+                                    part.id, material.keyword, material.id));
+    }
     return solid_of(Material::from_record(material, model));
 }
 
@@ -80,8 +124,18 @@ constexpr struct {
 } laws[] = {
     {"MAT_NULL", make_fluid},
     {"MAT_ELASTIC", make_solid<Elastic>},
+    {"MAT_ELASTIC_FLUID", make_elastic_fluid},
     {"MAT_PLASTIC_KINEMATIC", make_plastic_kinematic},
+    {"MAT_SOIL_AND_FOAM", make_solid<SoilFoam>},
+    {"MAT_SOIL_AND_FOAM_FAILURE", make_solid<SoilFoam>},
+    {"MAT_VISCOELASTIC", make_solid<Viscoelastic>},
+    {"MAT_KELVIN-MAXWELL_VISCOELASTIC", make_solid<Viscoelastic>},
+    {"MAT_JOHNSON_COOK", make_solid<JohnsonCook>},
     {"MAT_PIECEWISE_LINEAR_PLASTICITY", make_solid<PiecewiseLinearPlasticity>},
+    {"MAT_GEOLOGIC_CAP_MODEL", make_solid<GeologicCap>},
+    {"MAT_CRUSHABLE_FOAM", make_solid<CrushableFoam>},
+    {"MAT_PLASTICITY_WITH_DAMAGE", make_solid<DamagedPlasticity>},
+    {"MAT_PLASTICITY_COMPRESSION_TENSION", make_solid<CompressionTension>},
 };
 
 } // namespace
