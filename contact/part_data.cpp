@@ -105,7 +105,8 @@ std::vector<PartData> part_data(const Model& model)
             const double hole = tube && inner < outer ? inner : 0;
             data.beam_area = tube ? 0.25 * std::numbers::pi * (outer * outer - hole * hole) : outer * inner;
             if (own_area > 0) data.beam_area = own_area;
-            if (data.beam_radius == 0) data.beam_radius = std::sqrt(data.beam_area / std::numbers::pi);
+            // LS-DYNA: the square root of the area is the diameter where the section has no other sizes.
+            if (data.beam_radius == 0) data.beam_radius = 0.5 * std::sqrt(data.beam_area);
         }
     }
     return parts;

@@ -195,6 +195,17 @@ struct ElementResults {
     /// unless wanted [stress].
     std::vector<double> contact_pressure;
 
+    /// Force of Eulerian fluids on each node, summed by the couplings' terms; empty unless wanted [force].
+    std::vector<Vec3> coupling_force;
+
+    /// By node: change of the velocity from n-1/2 to n+1/2 over that span [length/time^2]. Recorders put in
+    /// force / mass; terms that move nodes themselves (rigid bodies) overwrite the entries of their nodes.
+    std::vector<Vec3> acceleration;
+    /// By node: velocity at n. Recorders put in that of the State; terms whose material flows through a mesh
+    /// overwrite the entries of its nodes. Empty unless the deck has such a mesh.
+    std::vector<Vec3> material_velocity;
+    std::vector<Vec3> angular_acceleration; ///< [1/time^2], only with rotations
+
     /// An exposed segment of a contact with what acts on it.
     struct ContactFace {
         Id contact = 0;
@@ -207,17 +218,6 @@ struct ElementResults {
     };
     bool contact_faces_wanted = false; ///< the list below is filled only then
     std::vector<ContactFace> contact_faces;
-
-    /// Force of Eulerian fluids on each node, summed by the couplings' terms; empty unless wanted [force].
-    std::vector<Vec3> coupling_force;
-
-    /// By node: change of the velocity from n-1/2 to n+1/2 over that span [length/time^2]. Recorders put in
-    /// force / mass; terms that move nodes themselves (rigid bodies) overwrite the entries of their nodes.
-    std::vector<Vec3> acceleration;
-    /// By node: velocity at n. Recorders put in that of the State; terms whose material flows through a mesh
-    /// overwrite the entries of its nodes. Empty unless the deck has such a mesh.
-    std::vector<Vec3> material_velocity;
-    std::vector<Vec3> angular_acceleration; ///< [1/time^2], only with rotations
 };
 
 } // namespace plash

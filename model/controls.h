@@ -82,7 +82,6 @@ struct RestartRequest {
 struct OutputControls {
     std::map<std::string, OutputRequest> ascii; ///< by lower-case file name: "glstat", "nodout" ...
     OutputRequest d3plot;
-    OutputRequest intfor; ///< *DATABASE_BINARY_INTFOR
     long relaxation_states = 0; ///< *DATABASE_BINARY_D3DRLF: looks at the kinetic energy a state; 0: none
     RestartRequest restart;
     std::vector<Index> history_nodes;

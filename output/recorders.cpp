@@ -193,10 +193,10 @@ std::vector<std::unique_ptr<Recorder>> make_recorders(const Model& model, const 
         recorders.push_back(
             std::make_unique<D3plotRecorder>(model, schedule_of(d3plot, model), path_of("/d3plot")));
     }
-    const OutputRequest& intfor = model.controls.output.intfor;
-    if (asked_for(intfor) && !model.contacts.empty()) {
+    const auto intfor = model.controls.output.ascii.find("intfor");
+    if (intfor != model.controls.output.ascii.end() && asked_for(intfor->second) && !model.contacts.empty()) {
         recorders.push_back(
-            std::make_unique<InterfaceSeries>(model, schedule_of(intfor, model), path_of("")));
+            std::make_unique<InterfaceSeries>(model, schedule_of(intfor->second, model), path_of("")));
     }
     if (model.controls.relaxation.active()) {
         recorders.push_back(std::make_unique<RelaxRecorder>(model, path_of("/relax")));

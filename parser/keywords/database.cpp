@@ -44,7 +44,7 @@ void read_d3plot(const Record& record, const Block&, Reading& reading)
 
 void read_intfor(const Record& record, const Block&, Reading& reading)
 {
-    OutputRequest& request = reading.model.controls.output.intfor;
+    OutputRequest& request = reading.model.controls.output.ascii["intfor"];
     request = request_of(record, "LCDT", reading);
     request.states = static_cast<int>(record.integer("NPLTC"));
 }

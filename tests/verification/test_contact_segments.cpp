@@ -1,4 +1,5 @@
 #include "contact/surface_contact.h"
+#include "output/recorders.h"
 #include "solver/explicit_loop.h"
 #include "tests/support/contact_model.h"
 #include "tests/support/deck_run.h"
@@ -6,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <omp.h>
+#include <sstream>
 
 namespace plash {
 
@@ -248,6 +251,58 @@ TEST(SegmentContact, PressedBlocksOfDifferentMeshesAreUnderOneStress)
     }
     EXPECT_LT(unevenness[2], 0.01);
     EXPECT_GT(unevenness[0], 0.05) << "what the patch test is about";
+}
+
+/// *DATABASE_BINARY_INTFOR: pressure and shear of the faces add up to the force between the surfaces, on
+/// either side, and the files hold them.
+TEST(SegmentContact, InterfaceFieldsAddUpToTheForces)
+{
+    DeckText deck;
+    deck.text += "*CONTROL_TERMINATION\n0.0002\n*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n"
+                 "*DATABASE_BINARY_INTFOR\n1.0e-4\n";
+    deck.part(1, 1, 1);
+    deck.part(2, 1, 1);
+    deck.block(1, {0, 0, 0}, {30, 30, 20}, 3, 5, 2);
+    deck.block(2, {3, 3, 20}, {28, 27, 40}, 4, 2, 2);
+    deck.text += "*SET_NODE_LIST_GENERATE\n1\n1,24\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
+                 "*INITIAL_VELOCITY_GENERATION\n2,2,0.0,2000.,0.,-4000.\n0,0,0,0,0,0\n"
+                 "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n7,joint\n2,1,3,3\n0.2,0.2\n\n2\n";
+    DeckRun run(deck.text);
+    ASSERT_TRUE(run.scene);
+    double most = 0;
+    Scene* scene = run.scene.get();
+    run.watch([&, scene](const Clock&, const State& state) {
+        ElementResults results;
+        results.contact_faces_wanted = true;
+        for (const auto& term : scene->terms) term->collect(state, results);
+        double pressing[3] = {};
+        Vec3 rubbing[3] = {};
+        for (const auto& face : results.contact_faces) {
+            EXPECT_EQ(face.contact, 7);
+            const double area = segment_area(face.nodes, state.position);
+            pressing[face.sides] += face.pressure * area;
+            rubbing[face.sides] += area * face.shear;
+        }
+        const double force = norm(results.contacts[0].slave_force);
+        most = std::max(most, force);
+        if (force == 0) return;
+        EXPECT_NEAR(pressing[1], pressing[2], 1e-9 * pressing[1]);
+        EXPECT_LT(norm(rubbing[1] + rubbing[2]), 1e-9 * pressing[1]);
+        // Each touch presses along z, but for the tilt of its facets.
+        EXPECT_NEAR(std::hypot(pressing[1], norm(rubbing[1])), force, 0.01 * force);
+    });
+    const testing::TemporaryFolder folder;
+    Recorders recorders = make_recorders(run.read->model, folder.path().string(), {});
+    const Outcome outcome = plash::run(*run.scene, recorders);
+    EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
+    EXPECT_GT(most, 100) << "they have met";
+    std::ifstream index(folder / "interface.pvd"), state(folder / "vtk/interface_0002.vtu");
+    std::stringstream pvd, vtu;
+    pvd << index.rdbuf();
+    vtu << state.rdbuf();
+    EXPECT_NE(pvd.str().find("vtk/interface_0001.vtu"), std::string::npos);
+    for (const char* field : {"contact_id", "surface", "pressure", "shear", "penetration"})
+        EXPECT_NE(vtu.str().find(fmt::format("Name=\"{}\"", field)), std::string::npos) << field;
 }
 
 /// The same bits for any number of threads.
