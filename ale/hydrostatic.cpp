@@ -75,38 +75,30 @@ struct Layer {
     int group = 0;  ///< by the deck's order
 };
 
-/// What one *INITIAL_HYDROSTATIC_ALE says, along an axis of the mesh.
+/// What one *INITIAL_HYDROSTATIC_ALE says.
 struct Still {
-    int axis = 2;
-    double sign = -1;   ///< of gravity along the axis
-    double surface = 0; ///< coordinate of the free surface [length]
+    Vec3 down;          ///< unit, along gravity
+    Vec3 surface;       ///< a point of the free surface [length]
     double gravity = 0; ///< [acceleration]
     double top = 0;     ///< pressure there [pressure]
     std::vector<Layer> layers;
 
-    double depth(double coordinate) const { return sign * (coordinate - surface); }
+    double depth(const Vec3& point) const { return dot(down, point - surface); }
 };
 
-void set_direction(const Model& model, const Record& record, Still& still)
+Vec3 direction_of(const Model& model, const Record& record)
 {
     const Id id = record.integer("VECID");
     const auto found = std::find_if(model.vectors.begin(), model.vectors.end(),
                                     [&](const NamedVector& vector) { return vector.id == id; });
     if (found == model.vectors.end()) reject_field(record, "VECID", fmt::format("there is no vector {}", id));
-    const Vec3 direction = unit(found->head - found->tail);
-    for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(std::abs(direction.*vector_component[axis]) - 1) > 1e-9) continue;
-        still.axis = axis;
-        still.sign = direction.*vector_component[axis];
-        return;
-    }
-    reject_field(record, "VECID", "gravity must point along a global axis");
+    return unit(found->head - found->tail);
 }
 
 Still still_of(const Model& model, const Record& record, const DeckGroups& groups)
 {
     Still still;
-    set_direction(model, record, still);
+    still.down = direction_of(model, record);
     still.gravity = record.real("GRAV");
     still.top = record.real("PBASE");
     const Table* table = record.table("NID");
@@ -122,8 +114,7 @@ Still still_of(const Model& model, const Record& record, const DeckGroups& group
                             fmt::format("*{}, field MMGBLO: there is no group {}; the deck has 1 to {}",
                                         record.keyword, group, groups.groups.size()));
         if (groups.groups[group - 1].fluid == none) continue; // empty space weighs nothing
-        const double level =
-            model.nodes.position[node - model.nodes.id.begin()].*vector_component[still.axis];
+        const Vec3 level = model.nodes.position[node - model.nodes.id.begin()];
         if (still.layers.empty()) still.surface = level;
         still.layers.push_back({still.depth(level), static_cast<int>(group) - 1});
     }
@@ -141,39 +132,60 @@ bool applies(const Model& model, const Record& record, const MeshBlock& block)
     });
 }
 
-/// Pressures at the centres of the cells along the axis of gravity, and of the cell that the surface passes.
-struct Profile {
-    std::vector<double> full, cut; ///< by cell; `cut` for cells that are not full [pressure]
+/// How deep the middle of a cell lies, and half of its height, both along gravity [length].
+struct CellDepth {
+    double middle = 0, half_height = 0;
 };
 
-Profile profile_of(const BoxGrid& grid, const Still& still, const DeckGroups& groups)
+CellDepth depth_of(const FluidCell& cell, const Still& still)
 {
-    const int axis = still.axis, cells = grid.cells(axis);
-    const auto density = [&](double pressure, double depth) {
-        const Layer* layer = &still.layers.front();
-        for (const Layer& next : still.layers)
-            if (next.top <= depth) layer = &next;
-        const DeckGroup& group = groups.groups[layer->group];
-        return density_at_pressure(group.law, pressure, group.energy_per_mass);
-    };
-    // Half heights of cells, in case they are cut, and centres below the surface, in rising order of depth.
-    std::vector<std::pair<double, int>> wanted;
-    for (int cell = 0; cell < cells; ++cell) {
-        const double centre = still.depth(grid.centre(axis, cell));
-        wanted.emplace_back(0.5 * grid.width(axis, cell), -1 - cell);
-        if (centre > 0) wanted.emplace_back(centre, cell);
+    double sum = 0, least = 1e300, most = -1e300;
+    for (const Vec3& point : cell.points) {
+        const double depth = still.depth(point);
+        sum += depth;
+        least = std::min(least, depth);
+        most = std::max(most, depth);
     }
-    std::sort(wanted.begin(), wanted.end());
-    std::vector<double> depths;
-    for (const auto& [depth, cell] : wanted) depths.push_back(depth);
-    const std::vector<double> pressures = pressures_below(still.top, density, still.gravity, depths);
-    Profile profile{std::vector<double>(cells, still.top), std::vector<double>(cells, still.top)};
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const int cell = wanted[i].second;
-        (cell < 0 ? profile.cut[-1 - cell] : profile.full[cell]) = pressures[i];
-    }
-    return profile;
+    return {0.125 * sum, 0.5 * (most - least)};
 }
+
+/// Pressures at the depths that the cells of a mesh ask for. Depths that differ by round-off alone count
+/// once: the cells of a layer shall all have the same pressure.
+class Profile {
+public:
+    Profile(const Fluid& fluid, const Still& still, const DeckGroups& groups) : top_(still.top)
+    {
+        for (std::size_t number = 0; number < fluid.cell_count(); ++number) {
+            const CellDepth depth = depth_of(fluid.cell(number), still);
+            depths_.push_back(depth.half_height);
+            if (depth.middle > 0) depths_.push_back(depth.middle);
+        }
+        std::sort(depths_.begin(), depths_.end());
+        same_ = 1e-10 * depths_.back();
+        depths_.erase(
+            std::unique(depths_.begin(), depths_.end(), [&](double a, double b) { return b - a < same_; }),
+            depths_.end());
+        const auto density = [&](double pressure, double depth) {
+            const Layer* layer = &still.layers.front();
+            for (const Layer& next : still.layers)
+                if (next.top <= depth) layer = &next;
+            const DeckGroup& group = groups.groups[layer->group];
+            return density_at_pressure(group.law, pressure, group.energy_per_mass);
+        };
+        pressures_ = pressures_below(still.top, density, still.gravity, depths_);
+    }
+
+    double at(double depth) const
+    {
+        if (depth <= 0) return top_;
+        const auto found = std::lower_bound(depths_.begin(), depths_.end(), depth - same_);
+        return pressures_[found - depths_.begin()];
+    }
+
+private:
+    double top_, same_ = 0;
+    std::vector<double> depths_, pressures_;
+};
 
 } // namespace
 
@@ -205,39 +217,26 @@ double density_at_pressure(const FluidGroup& fluid, double pressure, double ener
     return density;
 }
 
-void set_hydrostatic_state(Fluid& any, const MeshBlock& block, const DeckGroups& groups, const Model& model)
+void set_hydrostatic_state(Fluid& fluid, const MeshBlock& block, const DeckGroups& groups, const Model& model)
 {
     for (const Record& record : model.others) {
         if (record.keyword != "INITIAL_HYDROSTATIC_ALE" || !applies(model, record, block)) continue;
-        auto* box = dynamic_cast<BoxFluid*>(&any);
-        if (!box)
-            throw DeckError(record.where,
-                            fmt::format("*{} needs a mesh whose cells stand between planes along "
-                                        "the global axes; {}",
-                                        record.keyword, block.why_no_box));
-        BoxFluid& fluid = *box;
         const Still still = still_of(model, record, groups);
-        const BoxGrid& grid = fluid.grid;
-        const Profile profile = profile_of(grid, still, groups);
+        const Profile profile(fluid, still, groups);
         const bool mixed = !fluid.fields.groups[0].fraction.empty();
-        for (int k = 0; k < grid.cells(2); ++k) {
-            for (int j = 0; j < grid.cells(1); ++j) {
-                for (int i = 0; i < grid.cells(0); ++i) {
-                    const int index[3] = {i, j, k};
-                    const std::ptrdiff_t place = grid.at(i, j, k);
-                    double filled = mixed ? 0 : 1;
-                    for (const GroupFields& group : fluid.fields.groups)
-                        if (mixed) filled += group.fraction[place];
-                    const std::vector<double>& pressures = filled < 1 ? profile.cut : profile.full;
-                    for (const DeckGroup& group : groups.groups) {
-                        if (group.fluid == none) continue;
-                        const double share = mixed ? fluid.fields.groups[group.fluid].fraction[place] : 1;
-                        if (share == 0) continue;
-                        const double density = density_at_pressure(group.law, pressures[index[still.axis]],
-                                                                   group.energy_per_mass);
-                        fluid.fill_cell(i, j, k, group.fluid, share, density, group.energy_per_mass);
-                    }
-                }
+        for (std::size_t number = 0; number < fluid.cell_count(); ++number) {
+            const FluidCell cell = fluid.cell(number);
+            double filled = mixed ? 0 : 1;
+            for (const GroupFields& group : fluid.fields.groups)
+                if (mixed) filled += group.fraction[cell.place];
+            const CellDepth depth = depth_of(cell, still);
+            const double pressure = profile.at(filled < 1 ? depth.half_height : depth.middle);
+            for (const DeckGroup& group : groups.groups) {
+                if (group.fluid == none) continue;
+                const double share = mixed ? fluid.fields.groups[group.fluid].fraction[cell.place] : 1;
+                if (share == 0) continue;
+                const double density = density_at_pressure(group.law, pressure, group.energy_per_mass);
+                fluid.fill_place(cell.place, cell.volume, group.fluid, share, density, group.energy_per_mass);
             }
         }
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ale/box_fluid.h"
 #include "ale/deck_groups.h"
+#include "ale/fluid.h"
 #include "ale/mesh_block.h"
 
 #include <functional>
@@ -18,9 +18,10 @@ std::vector<double> pressures_below(double top,
 /// Density at which a fluid has a pressure, at a given energy per mass (Newton's method) [density].
 double density_at_pressure(const FluidGroup& fluid, double pressure, double energy_per_mass);
 
-/// *INITIAL_HYDROSTATIC_ALE: compresses the fluids of a block, which is filled already, so that they rest
+/// *INITIAL_HYDROSTATIC_ALE: compresses the fluids of a mesh, which is filled already, so that they rest
 /// under gravity: layers of one group each, every one below a node. A cell that the free surface passes has
-/// the pressure at half its height, which balances on the mesh whatever its fraction is.
+/// the pressure at half its height, which balances on the mesh whatever its fraction is, if its faces stand
+/// along gravity.
 void set_hydrostatic_state(Fluid& fluid, const MeshBlock& block, const DeckGroups& groups,
                            const Model& model);
 

@@ -60,6 +60,58 @@ std::string dam(const std::string& mesh, double end_time)
            testing::gravity(9.81) + testing::closed(end_time);
 }
 
+/// Largest acceleration at the start and largest speed in the end of a column of water 10 m deep on general
+/// hexahedra: layers are level; columns lean by `shear` and bulge by `bulge` inside.
+struct Unrest {
+    double acceleration = 0, speed = 0;
+};
+
+Unrest unrest_of_hexahedra(double shear, double bulge)
+{
+    constexpr int across = 4, layers = 24;
+    constexpr double level = 10.2;
+    std::string nodes = "*NODE\n90000,0,0,10.2\n", solids = "*ELEMENT_SOLID\n";
+    const auto node = [&](int i, int j, int k) { return 1 + i + (across + 1) * (j + (across + 1) * k); };
+    for (int k = 0; k <= layers; ++k) {
+        for (int j = 0; j <= across; ++j) {
+            for (int i = 0; i <= across; ++i) {
+                const double x = double(i) / across, y = double(j) / across;
+                const double wave = std::sin(std::numbers::pi * x) * std::sin(std::numbers::pi * y) *
+                                    std::sin(std::numbers::pi * k / layers);
+                nodes += fmt::format("{},{:.17g},{:.17g},{:.17g}\n", node(i, j, k),
+                                     x + shear * y + bulge * wave, y - bulge * wave, 0.5 * k);
+                if (i == across || j == across || k == layers) continue;
+                solids += fmt::format("{},10,{},{},{},{},{},{},{},{}\n", node(i, j, k), node(i, j, k),
+                                      node(i + 1, j, k), node(i + 1, j + 1, k), node(i, j + 1, k),
+                                      node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1),
+                                      node(i, j + 1, k + 1));
+            }
+        }
+    }
+    testing::EulerianRun run(
+        "*PART\nmesh\n10,1,1\n" + nodes + solids +
+        "*ALE_MULTI-MATERIAL_GROUP\n1,1\n2,1\n*PART\nwater\n1,1,1,1\n*PART\nempty\n2,1,2\n"
+        "*SECTION_SOLID\n1,11\n*MAT_NULL\n1,998,-1e5\n*EOS_GRUNEISEN\n1,1480,1.979,,,0.11,3,0\n1\n"
+        "*MAT_VACUUM\n2,0\n" +
+        testing::liquid_in_box({-1, -1, 0}, {2, 2, level}) +
+        "*DEFINE_VECTOR\n5,0,0,0,0,0,-1\n*INITIAL_HYDROSTATIC_ALE\n10,1,5,9.81\n90000,1\n" +
+        testing::gravity(9.81) +
+        "*CONTROL_ALE\n-1,1,2,-1\n,,,,,1\n*CONTROL_TERMINATION\n0.02\n*CONTROL_TIMESTEP\n0,0.67\n*END\n");
+    const EulerianFluid& fluid = run.term<EulerianFluid>();
+    EXPECT_FALSE(fluid.block().is_box());
+    const auto fastest = [&] {
+        double largest = 0;
+        for (const auto& component : fluid.fluid().fields.velocity)
+            for (double v : component) largest = std::max(largest, std::abs(v));
+        return largest;
+    };
+    double acceleration = 0;
+    run.run([&](const Clock& clock, const State&) {
+        if (clock.cycle == 1) acceleration = fastest() / clock.last_step;
+    });
+    return {acceleration, fastest()};
+}
+
 } // namespace
 
 TEST(AleDeck, ShuffledHexahedraRunAsTheStructuredMeshThatTheyAre)
@@ -242,6 +294,21 @@ TEST(AleDeck, HydrostaticStartIsAtRest)
         EXPECT_LT(acceleration, 1e-4 * 9.81) << level;
         EXPECT_LT(fastest(), 1e-4) << level;
     }
+}
+
+// The same on general hexahedra whose walls stick. Cells are prisms over parallelograms.
+TEST(AleDeck, HydrostaticStartOfGeneralHexahedraIsAtRest)
+{
+    const Unrest unrest = unrest_of_hexahedra(0.3, 0);
+    EXPECT_LT(unrest.acceleration, 1e-4 * 9.81);
+    EXPECT_LT(unrest.speed, 1e-4);
+}
+
+// Open: a node has an eighth of the mass of each of its cells, but not the fourth part of the area of each of
+// their faces when these are no parallelograms: 0.0084 g.
+TEST(AleDeck, DISABLED_HydrostaticStartOfDistortedHexahedraIsAtRest)
+{
+    EXPECT_LT(unrest_of_hexahedra(0, 0.05).acceleration, 1e-4 * 9.81);
 }
 
 } // namespace plash
