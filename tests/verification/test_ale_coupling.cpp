@@ -147,6 +147,18 @@ TEST(AleCoupling, WedgeEntersWithTheForceOfTheSimilaritySolution)
     EXPECT_NEAR(wedge_force_slope(30, 20) / 14.022, 1, 0.03);
 }
 
+// Open: flatter wedges feel too little on 40 cells across the half-width at which they cut the surface. By
+// angle, on 20 and 40 cells: 10 degrees 0.807, 0.885; 20 degrees 0.937, 0.941; 30 degrees 0.975, 0.984; 45
+// degrees 1.030 on 20.
+TEST(AleCoupling, DISABLED_WedgesOfAllAnglesEnterWithTheForceOfTheSimilaritySolution)
+{
+    const Threads one(1);
+    EXPECT_NEAR(wedge_force_slope(10, 40) / 213.001, 1, 0.03);
+    EXPECT_NEAR(wedge_force_slope(20, 40) / 42.280, 1, 0.03);
+    EXPECT_NEAR(wedge_force_slope(30, 40) / 14.023, 1, 0.03);
+    EXPECT_NEAR(wedge_force_slope(45, 40) / 3.4486, 1, 0.03);
+}
+
 // One Lagrangian element for two thirds of a cell, a cell, six cells.
 TEST(AleCoupling, BoxOfWaterIsTight)
 {

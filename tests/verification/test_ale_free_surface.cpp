@@ -79,6 +79,28 @@ TEST(AleFreeSurface, StillWaterStaysStill)
     }
 }
 
+// A tank at rest for 10 s. The water, softer than above, sinks by rho g H / K / 2 of its depth as it finds
+// its weight, and comes to rest. Nothing feeds its motion.
+TEST(AleFreeSurface, TankRestsForTenSeconds)
+{
+    constexpr double level = 0.21, sound = 30;
+    BoxFluid fluid = filled_sheet(0.32, 0.32, 16, 16, sound, [&](double) { return level; });
+    const double mass = fluid.total_mass(0);
+    double half_way = 0;
+    for (double time = 0; time < 10;) {
+        const double step = 0.67 * fluid.stable_step();
+        fluid.advance(step);
+        time += step;
+        if (half_way == 0 && time > 5) half_way = fluid.energies().kinetic;
+    }
+    EXPECT_LT(fastest(fluid), 1e-5 * std::sqrt(fall * level));
+    EXPECT_LE(fluid.energies().kinetic, half_way + 1e-20);
+    EXPECT_NEAR(fluid.total_mass(0), mass, 1e-12 * mass);
+    for (int k = 0; k < 9; ++k)
+        EXPECT_NEAR(fluid.fields.pressure[fluid.grid.at(5, 0, k)],
+                    1000 * fall * (level - fluid.grid.centre(2, k)), 5e-3 * 1000 * fall * level);
+}
+
 // First sloshing mode: omega^2 = g k tanh(k h) (Lamb 1932, article 228); amplitude of a third of a cell.
 TEST(AleFreeSurface, SloshingHasTheLinearPeriod)
 {
