@@ -196,7 +196,7 @@ TEST(AleCoupling, BoxOfWaterThatMovesIsTight)
 }
 
 // Open: where a wall that recedes stands in the last tenth of a cell, that cell is full, and the water runs
-// up to 1.4 mm ahead of the wall into the next; 1.0e-3, 1.5e-3 and 3.1e-3. The wall takes most of it up again
+// up to 1.4 mm ahead of the wall into the next; 6.2e-4, 1.2e-3 and 2.7e-3. The wall takes most of it up again
 // as it passes.
 TEST(AleCoupling, DISABLED_BoxOfWaterThatMovesIsTightWhereverItsWallsStand)
 {
