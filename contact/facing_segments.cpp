@@ -340,8 +340,9 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, Pair& pa
     // A stiffness that grew under load would make energy.
     const bool goes_on = old && old->weight > 0 && dot(old_normal, normal) > 0.98;
     touch.weight = goes_on ? old->weight : weight;
+    const double not_deeper = (1 + 1e-12) * touch.penetration; // but for round-off
     if (old) {
-        touch.baseline = std::min(old->baseline, touch.penetration);
+        touch.baseline = std::min(old->baseline, not_deeper);
         touch.rounding = old->rounding;
         // A pair that is new grows from nothing, and so does its friction.
         if (old->first == pair.first && old->second == pair.second) touch.friction = old->friction;
@@ -349,12 +350,14 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, Pair& pa
         const double closing = dot(at_shares(overlap->second_middle(), b, motion.velocity) -
                                        at_shares(overlap->first_middle(), a, motion.velocity),
                                    normal);
-        const double approach = std::max(0.0, closing) * motion.last_step;
+        // Round-off of surfaces that slide across one another is no approach.
+        const double path = std::max(0.0, closing) * motion.last_step;
+        const double approach = path > 1e-9 * a.size ? path : 0;
         const bool sided = a.one_sided || b.one_sided;
         if (sided && motion.last_step > 0 && distance < 0 &&
             distance + motion.last_step * closing < -0.1 * std::max(a.depth, b.depth))
             return false; // they come from within
-        touch.baseline = std::max(0.0, touch.penetration - 1.5 * approach);
+        touch.baseline = std::max(0.0, not_deeper - 1.5 * approach);
         touch.rounding = approach;
     }
     // By the area that the facet had at the start: a face that is stretched or tilted under load is no
