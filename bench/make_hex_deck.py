@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes a copper bar of hexes or tetrahedra (MAT_003) that hits a rigid wall (units: kg, m, s).
+"""Writes a copper bar of hexes, tetrahedra or thick shells (MAT_003) that hits a rigid wall (units: kg, m, s).
 
-    python3 bench/make_hex_deck.py [--cells 40 40 64] [--hourglass 4] [--formulation 1] [--time 6e-6] > deck.k
+    python3 bench/make_hex_deck.py [--cells 40 40 64] [--hourglass 4] [--formulation 1] [--thick POINTS] [--time 6e-6] > deck.k
 
-40 x 40 x 64 = 102,400 elements, six times as many with --formulation 10 (tetrahedra); the bar is Taylor's: 6.4 mm square, 32.4 mm long, 227 m/s.
+40 x 40 x 64 = 102,400 elements, six times as many with --formulation 10 or 13 (tetrahedra); the bar is Taylor's: 6.4 mm square, 32.4 mm long, 227 m/s.
 """
 import argparse
 import sys
@@ -12,12 +12,16 @@ parser = argparse.ArgumentParser()
 parser.add_argument("--cells", type=int, nargs=3, default=(40, 40, 64))
 parser.add_argument("--hourglass", type=int, default=4)
 parser.add_argument("--formulation", type=int, default=1)
+parser.add_argument("--thick", type=int, default=0, help="thick shells across the bar, so many points each")
 parser.add_argument("--time", type=float, default=6e-6)
 arguments = parser.parse_args()
 nx, ny, nz = arguments.cells
 side, length = 6.4e-3, 32.4e-3
 number = lambda i, j, k: 1 + i + (nx + 1) * (j + (ny + 1) * k)
 out = sys.stdout.write
+section = f"*SECTION_SOLID\n{1:10d}{arguments.formulation:10d}"
+if arguments.thick:
+    section = f"*SECTION_TSHELL\n{1:10d}{arguments.formulation:10d}{0.8333:10.4f}{arguments.thick:10d}"
 
 out(f"""*KEYWORD
 *TITLE
@@ -31,8 +35,7 @@ Copper bar, {nx * ny * nz} cells
 *PART
 bar
          1         1         1         0         1
-*SECTION_SOLID
-         1{arguments.formulation:10d}
+{section}
 *MAT_PLASTIC_KINEMATIC
          1      8930   1.17e11      0.35     4.0e8     1.0e8       1.0
          0.0
@@ -50,14 +53,14 @@ for k in range(nz + 1):
     for j in range(ny + 1):
         for i in range(nx + 1):
             out(f"{number(i, j, k):8d}{side * i / nx:16.8e}{side * j / ny:16.8e}{length * k / nz:16.8e}\n")
-out("*ELEMENT_SOLID\n")
+out("*ELEMENT_TSHELL\n" if arguments.thick else "*ELEMENT_SOLID\n")
 element = 0
 for k in range(nz):
     for j in range(ny):
         for i in range(nx):
             a, b = number(i, j, k), number(i, j, k + 1)
             corners = (a, a + 1, a + nx + 2, a + nx + 1, b, b + 1, b + nx + 2, b + nx + 1)
-            if arguments.formulation == 10:
+            if arguments.formulation in (10, 13):
                 # Six tetrahedra about the diagonal from corner 0 to corner 6 (Kuhn 1960).
                 shapes = [[corners[n] for n in (0, p, q, 6)] for p, q in
                           ((1, 2), (2, 3), (3, 7), (7, 4), (4, 5), (5, 1))]

@@ -44,6 +44,9 @@ void PressureLoads::find_elements()
         }
     };
     find(model_.shells, shell_);
+    find(model_.thick_shells, solid_);
+    for (Index& solid : solid_)
+        if (solid != none) solid += static_cast<Index>(model_.solids.size());
     find(model_.solids, solid_);
 }
 

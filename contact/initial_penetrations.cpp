@@ -48,9 +48,14 @@ std::vector<std::string> describe(const std::vector<InitialPenetration>& penetra
         const Segment& segment = mesh.segments[one.facet];
         const Index node = mesh.nodes[one.node].node;
         const Vec3& place = model.nodes.position[node];
+        const auto brick_name = [&](Index brick) {
+            const auto solids = static_cast<Index>(model.solids.size());
+            return brick < solids ? fmt::format("solid {}", model.solids.id[brick])
+                                  : fmt::format("thick shell {}", model.thick_shells.id[brick - solids]);
+        };
         const std::string element =
             segment.shell != none   ? fmt::format("shell {}", model.shells.id[segment.shell])
-            : segment.solid != none ? fmt::format("solid {}", model.solids.id[segment.solid])
+            : segment.solid != none ? brick_name(segment.solid)
                                     : fmt::format("the segment at node {}", model.nodes.id[segment.nodes[0]]);
         lines.push_back(fmt::format("  node {}{} by {:.4g} into {}{} at ({:.6g}, {:.6g}, {:.6g})",
                                     model.nodes.id[node], part_of(mesh.nodes[one.node].part), one.depth,

@@ -116,9 +116,9 @@ std::vector<double> lumped_masses(const Model& model, const std::vector<PartData
 {
     const std::vector<Vec3>& position = model.nodes.position;
     std::vector<double> mass(position.size());
-    for (std::size_t i = 0; i < model.solids.size(); ++i) {
-        const auto& nodes = model.solids.nodes[i];
-        const double whole = parts[model.solids.part[i]].density * solid_volume(nodes, position);
+    for (Index i = 0; i < static_cast<Index>(brick_count(model)); ++i) {
+        const auto& nodes = brick_nodes(model, i);
+        const double whole = parts[brick_part(model, i)].density * solid_volume(nodes, position);
         const int corners = nodes[4] == nodes[3] && nodes[5] == nodes[3] ? 4 : 8;
         for (int corner = 0; corner < corners; ++corner) mass[nodes[corner]] += whole / corners;
     }

@@ -51,10 +51,9 @@ void append_faces(const std::array<Index, 8>& n, Index solid, std::vector<SolidF
 std::vector<SolidFace> solid_faces(const Model& model)
 {
     std::vector<SolidFace> faces;
-    faces.reserve(6 * model.solids.size());
-    for (std::size_t solid = 0; solid < model.solids.size(); ++solid) {
-        append_faces(model.solids.nodes[solid], static_cast<Index>(solid), faces);
-    }
+    faces.reserve(6 * brick_count(model));
+    for (Index brick = 0; brick < static_cast<Index>(brick_count(model)); ++brick)
+        append_faces(brick_nodes(model, brick), brick, faces);
     std::vector<std::pair<Corners, Index>> keys(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i)
         keys[i] = {face_key(faces[i].nodes), static_cast<Index>(i)};

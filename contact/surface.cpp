@@ -92,7 +92,7 @@ private:
     {
         Segment segment;
         segment.nodes = face.nodes;
-        segment.part = model_.solids.part[face.solid];
+        segment.part = brick_part(model_, face.solid);
         segment.solid = face.solid;
         segment.covered_by = face.neighbour;
         segment.one_sided = true;
@@ -109,7 +109,7 @@ private:
                 if (wanted[model_.shells.part[i]]) add_shell(static_cast<Index>(i));
             }
             for (const SolidFace& face : faces_) {
-                if (!wanted[model_.solids.part[face.solid]]) continue;
+                if (!wanted[brick_part(model_, face.solid)]) continue;
                 if (face.neighbour == none || options_.inner_faces) add_face(face);
             }
             for (std::size_t i = 0; options_.with_beams && i < model_.beams.size(); ++i) {
@@ -237,7 +237,7 @@ private:
         segment.size = std::sqrt(area);
         segment.rigid = segment.part != none && parts_[segment.part].rigid;
         if (segment.solid != none) {
-            const double volume = solid_volume(model_.solids.nodes[segment.solid], position);
+            const double volume = solid_volume(brick_nodes(model_, segment.solid), position);
             segment.stiffness = volume > 0 ? scale * bulk * area * area / volume : 0;
             const double thickness = area > 0 ? volume / area : 0;
             segment.area_mass = 0.5 * parts_[segment.part].density * thickness;

@@ -20,10 +20,16 @@ struct ElementResults {
     std::vector<Index> shell_rows;
     std::vector<Index> solid_rows;
     std::vector<Index> beam_rows;
+    std::vector<Index> thick_shell_rows;
 
     Index row_of_shell(Index shell) const { return shell_rows.empty() ? shell : shell_rows[shell]; }
     Index row_of_solid(Index solid) const { return solid_rows.empty() ? solid : solid_rows[solid]; }
     Index row_of_beam(Index beam) const { return beam_rows.empty() ? beam : beam_rows[beam]; }
+
+    Index row_of_thick_shell(Index shell) const
+    {
+        return thick_shell_rows.empty() ? shell : thick_shell_rows[shell];
+    }
 
     /// Shells carry their through-thickness points as `shell_layers` rows an element, from bottom to top.
     /// With three layers (LS-DYNA's MAXINT = 3) they are the middle, the innermost and the outermost
@@ -35,6 +41,11 @@ struct ElementResults {
     std::vector<std::array<double, 8>> shell_resultants;
     std::vector<double> shell_thickness;       ///< [length]
     std::vector<double> shell_internal_energy; ///< density in the d3plot sense: [energy/volume]
+
+    /// Thick shells likewise: the points through the thickness as `thick_shell_layers` rows an element.
+    int thick_shell_layers = 0;
+    std::vector<Stress> thick_shell_stress;         ///< element x layer, global axes [stress]
+    std::vector<double> thick_shell_plastic_strain; ///< element x layer [-]
 
     std::vector<Stress> solid_stress;         ///< global axes [stress]
     std::vector<double> solid_plastic_strain; ///< [-]
@@ -63,6 +74,7 @@ struct ElementResults {
     std::vector<std::uint8_t> shell_deleted; ///< 1: eroded
     std::vector<std::uint8_t> solid_deleted;
     std::vector<std::uint8_t> beam_deleted;
+    std::vector<std::uint8_t> thick_shell_deleted;
 
     /// A particle (smoothed particle hydrodynamics).
     struct Particle {

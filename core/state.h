@@ -23,6 +23,7 @@ struct State {
 
     /// Elements deleted so far, by the Model's order (1: gone); empty until something may erode. Whoever
     /// deletes an element marks it here and raises `deletions`, so that contacts see their surfaces change.
+    /// `deleted_solids` are bricks: the solids and then, once one of them erodes, the thick shells.
     std::vector<std::uint8_t> deleted_shells, deleted_solids, deleted_beams;
     long deletions = 0;
 

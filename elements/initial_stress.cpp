@@ -86,6 +86,11 @@ InitialStresses initial_shell_stresses(const Model& model)
     return read_stresses(model, "INITIAL_STRESS_SHELL", "T", model.shells.id, model.shell_sets);
 }
 
+InitialStresses initial_thick_shell_stresses(const Model& model)
+{
+    return read_stresses(model, "INITIAL_STRESS_TSHELL", "T", model.thick_shells.id, model.thick_shell_sets);
+}
+
 InitialStressPoint mean_of(const InitialStress& stress)
 {
     InitialStressPoint mean;

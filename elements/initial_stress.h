@@ -25,9 +25,10 @@ struct InitialStress {
 /// By element of the Model; a later card replaces an earlier one.
 using InitialStresses = std::map<Index, InitialStress>;
 
-/// *INITIAL_STRESS_SOLID (_SET) and *INITIAL_STRESS_SHELL (_SET).
+/// *INITIAL_STRESS_SOLID (_SET), *INITIAL_STRESS_SHELL (_SET) and *INITIAL_STRESS_TSHELL.
 InitialStresses initial_solid_stresses(const Model&);
 InitialStresses initial_shell_stresses(const Model&);
+InitialStresses initial_thick_shell_stresses(const Model&);
 
 /// Stress and plastic strain at a place through the thickness of column `column` of the points in a plane, by
 /// lines between the places that the deck gives; beyond the outermost ones their line goes on.

@@ -42,6 +42,7 @@ public:
 
     void add_forces(const Clock& clock, State& state) override
     {
+        store_.start_cycle(clock);
         store_.patches.for_each(state, true,
                                 [&](std::ptrdiff_t number, const Patches::Patch& patch, NodeCopies& copies) {
                                     work_on_patch(clock, patch, copies, store_.sums[number]);
@@ -113,7 +114,7 @@ private:
 
     /// Elements all of whose points have failed, or enough of them under *MAT_ADD_EROSION, or whose time has
     /// come, and those whose step has fallen below what the deck allows.
-    void note_lost(const Clock& clock, Index batch, int active, Lanes squared_length,
+    void note_lost(const Clock& clock, Index batch, int active, Lanes& squared_length,
                    ShellStore::PatchSums& sums)
     {
         const ShellSettings& settings = store_.settings;
@@ -155,6 +156,8 @@ private:
             lost |= enough & (store_.record(batch)[shell_record::mass_factor] > 0.0);
         }
         if (!any(lost)) return;
+        squared_length =
+            lost ? broadcast<Lanes>(eroded_length) : squared_length; // they limit no step any more
         for (int lane = 0; lane < active; ++lane) {
             if (lost[lane]) sums.lost.push_back(batch * lane_count + lane);
         }

@@ -61,6 +61,8 @@ double own_angle(const Record& material)
     return material.peek("BETA") && material.peek("AOPT") ? degree * material.real("BETA") : 0;
 }
 
+} // namespace
+
 PlyLaw ply_law(const Model& model, const Part& part, const Record& material)
 {
     if (erosion_criteria(model, material)) {
@@ -89,7 +91,7 @@ PlyLaw ply_law(const Model& model, const Part& part, const Record& material)
                                                 material.keyword, material.id, part.id));
 }
 
-double density_of(const PlyLaw& ply)
+double ply_density(const PlyLaw& ply)
 {
     return std::visit(
         [](const auto& law) {
@@ -102,8 +104,7 @@ double density_of(const PlyLaw& ply)
         ply);
 }
 
-/// Plane-stress modulus, for wave speed and hourglass control.
-double modulus_of(const PlyLaw& ply)
+double ply_modulus(const PlyLaw& ply)
 {
     return std::visit(
         [](const auto& law) {
@@ -116,7 +117,10 @@ double modulus_of(const PlyLaw& ply)
         ply);
 }
 
-} // namespace
+double ply_angle(const Model& model, const Record& material, const ShellFrame<double>& frame)
+{
+    return reference_angle(model, material, frame) + own_angle(material);
+}
 
 std::vector<PlyPlace> plies_of(const Model& model, Index element)
 {
@@ -130,7 +134,7 @@ std::vector<PlyPlace> plies_of(const Model& model, Index element)
     if (!model.shells.offset.empty()) offset += model.shells.offset[element];
     const auto angle_of = [&](Index material) {
         const Record& record = model.materials[material];
-        return reference_angle(model, record, frame) + own_angle(record) + element_angle;
+        return ply_angle(model, record, frame) + element_angle;
     };
 
     std::vector<PlyPlace> plies;
@@ -198,9 +202,9 @@ std::unique_ptr<Term> make_laminate_shells(const ShellPart& part, ShellFormulati
     for (const PlyPlace& place : places) {
         law.plies.push_back(ply_law(model, owner, model.materials[place.material]));
         const PlyLaw& ply = law.plies.back();
-        squared_speed = std::max(squared_speed, modulus_of(ply) / density_of(ply));
-        modulus += place.thickness * modulus_of(ply);
-        density += place.thickness * density_of(ply);
+        squared_speed = std::max(squared_speed, ply_modulus(ply) / ply_density(ply));
+        modulus += place.thickness * ply_modulus(ply);
+        density += place.thickness * ply_density(ply);
         thickness += place.thickness;
     }
     ShellSettings settings =

@@ -19,6 +19,15 @@ namespace plash {
 using PlyLaw = std::variant<OrthotropicElastic, CompositeDamage, LaminatedFabric, Fabric, Elastic,
                             PiecewiseLinearPlasticity, HillSheet>;
 
+/// Components in axes that are turned by the angle of cosine c and sine s about the normal.
+template <class Lane>
+inline SymmetricTensor<Lane> in_plane_turn(const SymmetricTensor<Lane>& t, const Lane& c, const Lane& s)
+{
+    const Lane cc = c * c, ss = s * s, cs = c * s, twice = 2.0 * cs * t.xy;
+    return {cc * t.xx + ss * t.yy + twice,         ss * t.xx + cc * t.yy - twice, t.zz,
+            cs * (t.yy - t.xx) + (cc - ss) * t.xy, c * t.yz - s * t.zx,           c * t.zx + s * t.yz};
+}
+
 /// A stack of plies as the law of a shell: each point through the thickness is a ply with its own law, place,
 /// weight and angle. Elements of a group share the sequence of materials; places and angles are theirs.
 struct Laminate {
@@ -43,12 +52,20 @@ struct Laminate {
                     HistoryView<Lane> history, double time_step) const
     {
         const Lane c = history[ply_cosine], s = history[ply_sine];
-        SymmetricTensor<Lane> own_stress = turned(stress, c, s), own_strain = turned(increment, c, s);
+        SymmetricTensor<Lane> own_stress = in_plane_turn(stress, c, s),
+                              own_strain = in_plane_turn(increment, c, s);
         const HistoryView<Lane> variables{history.values + own};
-        std::visit(
-            [&](const auto& law) { law.update_plane_stress(own_stress, own_strain, variables, time_step); },
-            plies[number]);
-        stress = turned(own_stress, c, Lane{-s});
+        const Lane before_a = own_stress.xx, before_b = own_stress.yy;
+        const auto update = [&](const auto& law) {
+            law.update_plane_stress(own_stress, own_strain, variables, time_step);
+            // Orthotropic plies leave the thickness strain to the caller: S_ca and S_cb of their compliance.
+            if constexpr (requires { law.plane.thinning_a; }) {
+                own_strain.zz = law.plane.thinning_a * (before_a - own_stress.xx) +
+                                law.plane.thinning_b * (before_b - own_stress.yy);
+            }
+        };
+        std::visit(update, plies[number]);
+        stress = in_plane_turn(own_stress, c, Lane{-s});
         increment.zz = own_strain.zz;
     }
 
@@ -66,16 +83,6 @@ struct Laminate {
             },
             plies[number]);
     }
-
-private:
-    /// Components in axes that are turned by the angle of cosine c and sine s about the normal.
-    template <class Lane>
-    static SymmetricTensor<Lane> turned(const SymmetricTensor<Lane>& t, const Lane& c, const Lane& s)
-    {
-        const Lane cc = c * c, ss = s * s, cs = c * s, twice = 2.0 * cs * t.xy;
-        return {cc * t.xx + ss * t.yy + twice,         ss * t.xx + cc * t.yy - twice, t.zz,
-                cs * (t.yy - t.xx) + (cc - ss) * t.xy, c * t.yz - s * t.zx,           c * t.zx + s * t.yz};
-    }
 };
 
 /// One ply of an element: where its point stands and which way its axis a points.
@@ -85,6 +92,14 @@ struct PlyPlace {
     double thickness = 0; ///< [length]
     double angle = 0;     ///< from side 1-2 of the element to the axis a [radian]
 };
+
+/// The law of a ply; DeckError for materials that plies cannot have.
+PlyLaw ply_law(const Model& model, const Part& part, const Record& material);
+double ply_density(const PlyLaw& ply);
+/// Plane-stress modulus, for wave speed and hourglass control [stress].
+double ply_modulus(const PlyLaw& ply);
+/// Angle from the first axis of a mid-surface to the axis a of a material, with its MANGLE or BETA [radian].
+double ply_angle(const Model& model, const Record& material, const ShellFrame<double>& frame);
 
 /// The plies of an element from the bottom: its layers, or the points of the section's rule for a part of one
 /// orthotropic material. Angles: AOPT 0, 2, 3 or a coordinate system of the material, its MANGLE or BETA, the

@@ -13,7 +13,7 @@ namespace plash {
 namespace {
 
 /// *INTEGRATION_SHELL: places and weights of the deck, or layers of equal thickness (ESOP = 1).
-ThicknessRule user_rule(const Model& model, const Record& section, Id number)
+ThicknessRule user_rule(const Model& model, const Record& section, Id number, const char* field)
 {
     for (const Record& record : model.others) {
         if (record.keyword != "INTEGRATION_SHELL" || record.integer("IRID") != number) continue;
@@ -50,7 +50,7 @@ ThicknessRule user_rule(const Model& model, const Record& section, Id number)
         }
         return rule;
     }
-    reject_field(section, "QR/IRID", fmt::format("there is no *INTEGRATION_SHELL {}", number));
+    reject_field(section, field, fmt::format("there is no *INTEGRATION_SHELL {}", number));
 }
 
 void read_section(const Model& model, const Record& section, bool laminate, ShellSettings& settings)
@@ -59,19 +59,10 @@ void read_section(const Model& model, const Record& section, bool laminate, Shel
     if (points < 1 || points > 10) {
         reject_field(section, "NIP", fmt::format("{} is not a number of points from 1 to 10", points));
     }
-    const double rule = section.real("QR/IRID");
-    if (rule > 1 || (rule > 0 && rule < 1)) {
-        reject_field(section, "QR/IRID",
-                     fmt::format("integration rule {} is not supported (0: Gauss, 1: trapezoidal, below 0: "
-                                 "*INTEGRATION_SHELL)",
-                                 rule));
-    }
     if (section.integer("ICOMP") != 0 && !laminate) {
         reject_field(section, "ICOMP", "angles of layers say nothing to an isotropic material");
     }
-    settings.rule = rule < 0                  ? user_rule(model, section, -static_cast<Id>(rule))
-                    : rule == 1 && points > 1 ? trapezoidal_rule(static_cast<int>(points))
-                                              : gauss_rule(static_cast<int>(points));
+    settings.rule = thickness_rule(model, section, points, "QR/IRID");
     settings.shear_factor = section.real("SHRF", 1.0);
     if (settings.shear_factor == 0) settings.shear_factor = 1; // empty field
     settings.reference_offset = section.real("NLOC");
@@ -164,6 +155,20 @@ ThicknessRule trapezoidal_rule(int points)
         rule.weight.push_back((end ? 0.25 : 0.5) * spacing);
     }
     return rule;
+}
+
+ThicknessRule thickness_rule(const Model& model, const Record& section, Id points, const char* field)
+{
+    const double rule = section.real(field);
+    if (rule > 1 || (rule > 0 && rule < 1)) {
+        reject_field(section, field,
+                     fmt::format("integration rule {} is not supported (0: Gauss, 1: trapezoidal, below 0: "
+                                 "*INTEGRATION_SHELL)",
+                                 rule));
+    }
+    if (rule < 0) return user_rule(model, section, -static_cast<Id>(rule), field);
+    return rule == 1 && points > 1 ? trapezoidal_rule(static_cast<int>(points))
+                                   : gauss_rule(static_cast<int>(points));
 }
 
 ShellSettings shell_settings(const Model& model, Index part_index, double density, double young_modulus,

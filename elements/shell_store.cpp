@@ -1,6 +1,7 @@
 #include "elements/shell_store.h"
 
 #include "core/run_error.h"
+#include "elements/result_layers.h"
 #include "elements/shell_mass.h"
 #include "math/tensor3.h"
 
@@ -75,23 +76,6 @@ SymmetricTensor<double> to_local(const ShellFrame<double>& frame, const Symmetri
     const Tensor3<double> rows{frame.e1.x, frame.e1.y, frame.e1.z, frame.e2.x, frame.e2.y,
                                frame.e2.z, frame.e3.x, frame.e3.y, frame.e3.z};
     return rotated(global, rows);
-}
-
-/// The points whose mean a result layer shows. As many layers as points: one each, from the bottom; three
-/// layers: middle, innermost, outermost (*DATABASE_EXTENT_BINARY MAXINT = 3); otherwise the first points.
-/// A layer without a point is empty (first > last).
-std::pair<int, int> points_of_layer(int layer, int layers, int points)
-{
-    if (layers == 3 && points != 3) {
-        if (layer == 0) return {(points - 1) / 2, points / 2};
-        const int point = layer == 1 ? 0 : points - 1;
-        return {point, point};
-    }
-    if (layers == 3) {
-        constexpr int order[] = {1, 0, 2};
-        return {order[layer], order[layer]};
-    }
-    return layer < points ? std::pair{layer, layer} : std::pair{0, -1};
 }
 
 } // namespace
@@ -173,6 +157,15 @@ void ShellStore::erode(Index place, PatchSums& patch_sums, State& state)
     state.deleted_shells.resize(model.shells.size());
     state.deleted_shells[patches.elements[place]] = 1;
     ++state.deletions;
+}
+
+void ShellStore::start_cycle(const Clock& clock)
+{
+    const TimeControls& control = model.controls.time;
+    if (clock.cycle != 1 || !control.erode_small_shells) return;
+    const double length =
+        control.smallest_step_factor * clock.last_step / control.step_scale * settings.wave_speed;
+    settings.shortest_squared_length = std::max(settings.shortest_squared_length, length * length);
 }
 
 void ShellStore::close_cycle(State& state)

@@ -58,6 +58,10 @@ public:
     }
     std::size_t record_bytes() const { return record_size_ * sizeof(Lanes); } ///< of one batch
 
+    /// To be called before every cycle's patches: with ERODE of *CONTROL_TIMESTEP, elements go whose step
+    /// falls below DTMIN times the first step of the run, which is known in cycle 1.
+    void start_cycle(const Clock& clock);
+
     /// To be called after every cycle's patches: takes out the elements that are lost (they give no more
     /// forces, and their energies stay as eroded) and throws RunError when an energy is no finite number.
     void close_cycle(State& state);
@@ -71,7 +75,10 @@ public:
 
     StepVote vote() const;
     void report(EnergyLedger& ledger) const;
-    void serialise(Archive& archive) { archive(records_, sums, eroded_internal_, eroded_hourglass_); }
+    void serialise(Archive& archive)
+    {
+        archive(records_, sums, eroded_internal_, eroded_hourglass_, settings.shortest_squared_length);
+    }
     void collect(const State& state, ElementResults& results) const;
 
     int plane_points() const { return plane_points_; }

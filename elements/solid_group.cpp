@@ -35,10 +35,11 @@ SolidGroup::SolidGroup(SolidSetup setup, const State& state, int history_size, i
     : setup_(std::move(setup)),
       patches_(8, setup_.elements, setup_.connectivity, state.position,
                patch_length_of(setup_.elements.size())),
-      section_watch_(setup_.model, &CrossSection::solids, setup_.model.solids.size(), patches_),
+      section_watch_(setup_.model, setup_.thick_shells ? &CrossSection::thick_shells : &CrossSection::solids,
+                     setup_.bricks().size(), patches_),
       sums_(patches_.patches.size()),
       smallest_step_(setup_.shortest_step),
-      name_(fmt::format("solids of part {}", setup_.model.parts[setup_.part].id)),
+      name_(fmt::format("{}s of part {}", setup_.kind(), setup_.model.parts[setup_.part].id)),
       history_size_(history_size),
       constant_count_(constant_count),
       plastic_strain_(plastic_strain_place),
@@ -73,8 +74,8 @@ std::string SolidGroup::describe(std::size_t place, const std::vector<Vec3>& pos
     Vec3 centre{};
     for (int i = 0; i < 8; ++i) centre += 0.125 * position[corner(patch, place, i)];
     const Part& part = setup_.model.parts[setup_.part];
-    return fmt::format("solid {} of part {} '{}' near ({:.6g}, {:.6g}, {:.6g})",
-                       setup_.model.solids.id[element_of(place)], part.id, part.title, centre.x, centre.y,
+    return fmt::format("{} {} of part {} '{}' near ({:.6g}, {:.6g}, {:.6g})", setup_.kind(),
+                       setup_.bricks().id[element_of(place)], part.id, part.title, centre.x, centre.y,
                        centre.z);
 }
 
@@ -271,8 +272,9 @@ void SolidGroup::silence(Index batch, const LaneMask& dead, const LaneMask& sile
 
 void SolidGroup::erase(std::size_t place, State& state)
 {
-    state.deleted_solids.resize(setup_.model.solids.size());
-    state.deleted_solids[element_of(place)] = 1;
+    const Model& model = setup_.model;
+    state.deleted_solids.resize(brick_count(model));
+    state.deleted_solids[element_of(place) + (setup_.thick_shells ? model.solids.size() : 0)] = 1;
     ++state.deletions;
     if (alive_.empty()) alive_.assign(patches_.batch_count(), broadcast<Lanes>(1));
     const auto batch = static_cast<Index>(place / lane_count);
@@ -312,8 +314,8 @@ void SolidGroup::close_cycle(State& state)
     }
     const Part& part = setup_.model.parts[setup_.part];
     vote_ = smallest.step == no_step ? StepVote::nothing()
-                                     : StepVote{smallest.step, "solid",
-                                                setup_.model.solids.id[element_of(smallest.place)], part.id};
+                                     : StepVote{smallest.step, setup_.kind(),
+                                                setup_.bricks().id[element_of(smallest.place)], part.id};
 }
 
 std::vector<std::string> SolidGroup::notices(const State&) const
@@ -343,11 +345,13 @@ void SolidGroup::collect(const State& state, ElementResults& results) const
         const Lanes* history = &history_[place / lane_count * history_size_];
         const int lane = static_cast<int>(place % lane_count);
         if (results.steps_wanted) {
-            results.steps.push_back({"solid", setup_.model.solids.id[element_of(place)],
+            results.steps.push_back({setup_.kind(), setup_.bricks().id[element_of(place)],
                                      setup_.model.parts[setup_.part].id, first_step_[place]});
         }
-        const Index row = results.row_of_solid(static_cast<Index>(element_of(place)));
+        const Index row =
+            setup_.thick_shells ? none : results.row_of_solid(static_cast<Index>(element_of(place)));
         const bool wanted = row != none;
+        collect_points(patch, place, state, results);
         if (wanted && !results.solid_stress.empty()) {
             results.solid_stress[row] = {history[0][lane], history[1][lane], history[2][lane],
                                          history[3][lane], history[4][lane], history[5][lane]};

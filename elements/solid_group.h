@@ -26,6 +26,7 @@ struct SolidSetup {
     SolidGradientRule rule = SolidGradientRule::centre;
     SolidParameters parameters{};
     double initial_relative_volume = 1;  ///< volume at the start over reference volume
+    bool nodal_volume = false;           ///< volumes averaged over nodes (elements/solid_nodal_volume.h)
     bool eight_points = false;           ///< fully integrated (elements/solid_eight_point.h)
     SolidShear shear = SolidShear::full; ///< of fully integrated elements
     std::string notice{};                ///< what the user should know of the formulation; empty: nothing
@@ -33,6 +34,13 @@ struct SolidSetup {
     double shortest_step = 0;            ///< TDEL: elements below it are deleted [time]
     bool erode_inverted = false;         ///< delete elements without volume instead of stopping the run
     const InitialStresses* initial_stresses = nullptr; ///< looked at while the group is made
+    bool thick_shells = false;                         ///< the elements are those of *ELEMENT_TSHELL
+
+    const Elements<8>& bricks() const
+    {
+        return thick_shells ? static_cast<const Elements<8>&>(model.thick_shells) : model.solids;
+    }
+    std::string_view kind() const { return thick_shells ? "thick shell" : "solid"; }
 };
 
 /// Whether the stress of a material point may be given at the start: not where it follows from something
@@ -61,6 +69,11 @@ public:
     double mass() const;
 
 protected:
+    double constant_of(std::size_t place, SolidConstant constant) const
+    {
+        return constants_[place / lane_count * constant_count_ + constant][place % lane_count];
+    }
+
     /// What a patch sums up in one cycle.
     struct PatchSum {
         Lanes internal{}, hourglass{}, viscous{};              ///< [energy]; viscous: of this step alone
@@ -98,6 +111,11 @@ protected:
     /// stress follows from something else.
     void take_initial_stresses(const StressPlaces&);
 
+    /// Adds what only the formulation knows of an element to the results.
+    virtual void collect_points(const Patches::Patch&, std::size_t /*place*/, const State&,
+                                ElementResults&) const
+    {}
+
     /// To be called before the patches of a cycle. Elements are deleted whose step falls below TDEL of their
     /// material, or with *CONTROL_TIMESTEP ERODE below DTMIN times the first step of the run, which is known
     /// in cycle 1.
@@ -112,6 +130,28 @@ protected:
     Patches patches_;
     SectionWatch section_watch_;
     std::vector<PatchSum> sums_; ///< by patch
+
+    Index corner(const Patches::Patch&, std::size_t place, int corner) const;
+    std::size_t element_of(std::size_t place) const { return patches_.elements[place]; }
+    const Lanes* history_of(Index batch) const
+    {
+        return &history_[static_cast<std::size_t>(batch) * history_size_];
+    }
+    bool is_alive(std::size_t place) const
+    {
+        return alive_.empty() || alive_[place / lane_count][place % lane_count] != 0;
+    }
+    template <class Work>
+    void for_each_element(Work&& work) const
+    {
+        for (const Patches::Patch& patch : patches_.patches) {
+            for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
+                for (int lane = 0; lane < patches_.active_lanes(batch); ++lane) {
+                    work(patch, static_cast<std::size_t>(batch) * lane_count + lane);
+                }
+            }
+        }
+    }
 
 private:
     using LaneArray = std::vector<Lanes, CacheAligned<Lanes>>;
@@ -136,29 +176,8 @@ private:
         std::array<Index, 8> node;
         int count;
     };
-    Index corner(const Patches::Patch&, std::size_t place, int corner) const;
     Corners distinct_corners(const Patches::Patch&, std::size_t place) const;
-    double constant_of(std::size_t place, SolidConstant constant) const
-    {
-        return constants_[place / lane_count * constant_count_ + constant][place % lane_count];
-    }
     const Patches::Patch& patch_of(std::size_t place) const;
-    std::size_t element_of(std::size_t place) const { return patches_.elements[place]; }
-    bool is_alive(std::size_t place) const
-    {
-        return alive_.empty() || alive_[place / lane_count][place % lane_count] != 0;
-    }
-    template <class Work>
-    void for_each_element(Work&& work) const
-    {
-        for (const Patches::Patch& patch : patches_.patches) {
-            for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
-                for (int lane = 0; lane < patches_.active_lanes(batch); ++lane) {
-                    work(patch, static_cast<std::size_t>(batch) * lane_count + lane);
-                }
-            }
-        }
-    }
     void put_initial_stress(std::size_t place, const InitialStress&, const StressPlaces&);
     void hold_back_loose_elements(const State&);
     void silence(Index batch, const LaneMask& dead, const LaneMask& silent, SolidResult<Lanes>&);

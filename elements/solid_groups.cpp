@@ -50,7 +50,8 @@ constexpr struct {
 };
 
 /// Shapes that need a group of their own.
-enum class Shape { hexahedron, collapsed, tetrahedron };
+enum class Shape { hexahedron, wedge, pyramid, tetrahedron };
+constexpr int shape_count = 4;
 
 int distinct_count(Corners nodes)
 {
@@ -75,7 +76,8 @@ Shape shape_of(const Model& model, Index element)
 {
     const int distinct = distinct_count(model.solids.nodes[element]);
     if (distinct == 8) return Shape::hexahedron;
-    if (distinct >= 5) return Shape::collapsed;
+    if (distinct == 6) return Shape::wedge;
+    if (distinct == 5) return Shape::pyramid;
     if (distinct == 4) return Shape::tetrahedron;
     throw DeckError(model.parts[model.solids.part[element]].where,
                     fmt::format("*ELEMENT_SOLID {} has {} different nodes; a solid has at least 4",
@@ -134,7 +136,8 @@ void adapt_to_shape(Shape shape, SolidSetup& setup)
 }
 
 /// ELFORM of a part; DeckError for one that is not supported.
-Id formulation_of(const Model& model, const Part& part, bool only_tetrahedra)
+/// tetrahedra, wedges  whether the part has nothing else
+Id formulation_of(const Model& model, const Part& part, bool tetrahedra, bool wedges)
 {
     if (part.section == none) {
         throw DeckError(part.where, fmt::format("*PART {} has solids but no section", part.id));
@@ -148,12 +151,14 @@ Id formulation_of(const Model& model, const Part& part, bool only_tetrahedra)
     const Id formulation = section.integer("ELFORM", 1);
     if (formulation == 0) return 1;
     if (formulation >= -2 && formulation <= 3) return formulation;
-    if (formulation == 10 && only_tetrahedra) return formulation;
+    if ((formulation == 10 || formulation == 13) && tetrahedra) return formulation;
+    if (formulation == 15 && wedges) return formulation;
     throw DeckError(
         section.where,
         fmt::format("*SECTION_SOLID {}, field ELFORM: formulation {} is not supported for part {}; "
                     "there are 1 (one-point hexahedron, wedge, tetrahedron), 2, -1, -2 (fully integrated "
-                    "hexahedron), 3 (run as -1) and 10 (one-point tetrahedron, for parts of tetrahedra only)",
+                    "hexahedron), 3 (run as -1), for parts of tetrahedra only 10 (one point) and 13 "
+                    "(volumes of nodes), and for parts of wedges only 15",
                     section.id, formulation, part.id));
 }
 
@@ -179,14 +184,17 @@ void add_part(const Model& model, Index part_index, const std::vector<Index>& el
                                     material.keyword, material.id, part.id,
                                     fmt::join(solid_material_keywords(), ", ")));
     }
-    std::vector<Index> by_shape[3];
+    std::vector<Index> by_shape[shape_count];
     for (Index element : elements) by_shape[static_cast<int>(shape_of(model, element))].push_back(element);
-    const Id formulation =
-        formulation_of(model, part, by_shape[static_cast<int>(Shape::tetrahedron)].size() == elements.size());
+    const auto all_are = [&](Shape shape) {
+        return by_shape[static_cast<int>(shape)].size() == elements.size();
+    };
+    const Id formulation = formulation_of(model, part, all_are(Shape::tetrahedron), all_are(Shape::wedge));
+    const bool sorted = model.controls.elements.sort_solids > 0;
 
     const Record* equation_of_state =
         part.equation_of_state == none ? nullptr : &model.equations_of_state[part.equation_of_state];
-    for (Shape shape : {Shape::hexahedron, Shape::collapsed, Shape::tetrahedron}) {
+    for (Shape shape : {Shape::hexahedron, Shape::wedge, Shape::pyramid, Shape::tetrahedron}) {
         std::vector<Index>& members = by_shape[static_cast<int>(shape)];
         if (members.empty()) continue;
         SolidSetup setup{model, part_index, std::move(members)};
@@ -196,8 +204,11 @@ void add_part(const Model& model, Index part_index, const std::vector<Index>& el
             const Corners corners = shape == Shape::tetrahedron ? tetrahedron_of(nodes) : nodes;
             setup.connectivity.insert(setup.connectivity.end(), corners.begin(), corners.end());
         }
-        // Collapsed shapes have one point in every formulation, as with LS-DYNA's ESORT.
-        setup.eight_points = shape == Shape::hexahedron && formulation != 1;
+        // Collapsed shapes have one point in every formulation, as with LS-DYNA's ESORT; wedges that are
+        // sorted out, or of formulation 15, have all points.
+        setup.eight_points = (shape == Shape::hexahedron && formulation != 1) ||
+                             (shape == Shape::wedge && (formulation == 15 || sorted));
+        setup.nodal_volume = shape == Shape::tetrahedron && formulation == 13;
         setup.shear = formulation == -1 || formulation == 3 ? SolidShear::cancelled
                       : formulation == -2                   ? SolidShear::scaled
                                                             : SolidShear::full;
@@ -248,19 +259,23 @@ SolidMasses solid_masses(const Model& model, Index part)
     const double density = material.real("RO");
     SolidMasses masses;
     std::vector<double> by_node(model.nodes.size(), 0.0);
-    for (std::size_t element = 0; element < model.solids.size(); ++element) {
-        if (model.solids.part[element] != part) continue;
-        Corners nodes = model.solids.nodes[element];
-        if (shape_of(model, static_cast<Index>(element)) == Shape::tetrahedron) nodes = tetrahedron_of(nodes);
+    for (Index element = 0; element < static_cast<Index>(brick_count(model)); ++element) {
+        if (brick_part(model, element) != part) continue;
+        const bool solid = element < static_cast<Index>(model.solids.size());
+        Corners nodes = brick_nodes(model, element);
+        if (solid && shape_of(model, element) == Shape::tetrahedron) nodes = tetrahedron_of(nodes);
         Vec3 corner[8];
         for (int i = 0; i < 8; ++i) corner[i] = model.nodes.position[nodes[i]];
         const double mass = density * gradient_of<SolidGradientRule::mean>(modes_of(corner)).volume;
         if (!(mass > 0)) {
             throw DeckError(
                 model.parts[part].where,
-                fmt::format("solid {} of rigid part {} has the mass {:.6g}: check RO of its material "
+                fmt::format("{} {} of rigid part {} has the mass {:.6g}: check RO of its material "
                             "and its node numbering",
-                            model.solids.id[element], model.parts[part].id, mass));
+                            solid ? "solid" : "thick shell",
+                            solid ? model.solids.id[element]
+                                  : model.thick_shells.id[element - model.solids.size()],
+                            model.parts[part].id, mass));
         }
         std::sort(nodes.begin(), nodes.end());
         const auto end = std::unique(nodes.begin(), nodes.end());

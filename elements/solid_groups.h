@@ -14,8 +14,8 @@ namespace plash {
 /// hourglass type is not there, or when an element has no positive volume.
 std::vector<std::unique_ptr<SolidGroup>> make_solid_groups(const Model&, State&);
 
-/// Masses of the solids of a part as lumped to its nodes: entry i belongs to nodes[i]. For rigid parts, which
-/// need no elements.
+/// Masses of the solids and thick shells of a part as lumped to its nodes: entry i belongs to nodes[i]. For
+/// rigid parts, which need no elements.
 struct SolidMasses {
     double total = 0;
     std::vector<Index> nodes; ///< in rising order

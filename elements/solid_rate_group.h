@@ -2,6 +2,7 @@
 
 #include "elements/solid_eight_point.h"
 #include "elements/solid_laws.h"
+#include "elements/solid_nodal_volume.h"
 #include "elements/solid_one_point.h"
 #include "elements/solid_points.h"
 
@@ -17,6 +18,8 @@ std::unique_ptr<SolidGroup> make_point_group(Point point, SolidSetup setup, Stat
         const SolidShear shear = setup.shear;
         return std::make_unique<SolidEightPoint<Point>>(std::move(point), shear, std::move(setup), state);
     }
+    if (setup.nodal_volume)
+        return std::make_unique<SolidNodalVolume<Point>>(std::move(point), std::move(setup), state);
     if (setup.rule == SolidGradientRule::centre) {
         return std::make_unique<SolidOnePoint<Point, SolidGradientRule::centre>>(std::move(point),
                                                                                  std::move(setup), state);

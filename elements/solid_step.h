@@ -62,6 +62,12 @@ struct SolidResult {
     SolidVote<Lane> vote;
 };
 
+/// Relative volume of a batch as a mean over its neighbours, which takes the place of its own in the law.
+template <class Lane>
+struct AveragedVolume {
+    Lane now, before; ///< at the ends of the step
+};
+
 /// One step of a batch of one-point solids (Hallquist 2006, 'Solid elements'; Goudreau & Hallquist 1982;
 /// Flanagan & Belytschko 1981).
 ///
@@ -74,10 +80,12 @@ struct SolidResult {
 /// time_step  from n - 1 to n [time]
 /// history    SolidHistory and the point's own, in and out
 /// constants  SolidConstant and the point's own
+/// averaged   volume that the law sees in place of the element's own (elements/solid_nodal_volume.h), or null
 template <SolidGradientRule rule, class Lane, class Point>
 inline SolidResult<Lane> solid_step(const Point& point, const SolidParameters& parameters,
                                     const SolidModes<Lane>& position, const SolidModes<Lane>& velocity,
-                                    double time_step, Lane* history, const Lane* constants)
+                                    double time_step, Lane* history, const Lane* constants,
+                                    const AveragedVolume<Lane>* averaged = nullptr)
 {
     SolidVote<Lane> vote;
     const Lane step = broadcast<Lane>(time_step);
@@ -110,6 +118,16 @@ inline SolidResult<Lane> solid_step(const Point& point, const SolidParameters& p
                              time_step,
                              position,
                              constants + point_constants};
+    if (averaged) {
+        const Lane change = averaged->now - averaged->before;
+        const Lane more =
+            (2.0 / 3) * change / (averaged->now + averaged->before) - (1.0 / 3) * step * expansion;
+        motion.increment.xx += more;
+        motion.increment.yy += more;
+        motion.increment.zz += more;
+        motion.relative_volume = averaged->now;
+        motion.volume_change = change;
+    }
     const HistoryView<Lane> point_variables{history + point_history};
 
     // Bulk viscosity.

@@ -12,10 +12,11 @@ namespace plash {
 
 /// Elastic constants of a ply in its axes a (fibres) and b, with plane stress.
 struct OrthotropicPlane {
-    double density = 0;               ///< [mass/volume]
-    double ea = 0, eb = 0;            ///< [stress]
-    double nu_ba = 0;                 ///< PRBA: strain along a per strain along b under stress along b
-    double gab = 0, gbc = 0, gca = 0; ///< [stress]
+    double density = 0;                    ///< [mass/volume]
+    double ea = 0, eb = 0;                 ///< [stress]
+    double nu_ba = 0;                      ///< PRBA: strain along a per strain along b under stress along b
+    double gab = 0, gbc = 0, gca = 0;      ///< [stress]
+    double thinning_a = 0, thinning_b = 0; ///< PRCA / EC, PRCB / EC: how stresses thin the ply [1/stress]
 
     static OrthotropicPlane from_record(const Record& record)
     {
@@ -27,6 +28,10 @@ struct OrthotropicPlane {
         ply.gab = positive(record, "GAB", "shear modulus ab");
         ply.gbc = positive(record, "GBC", "shear modulus bc");
         ply.gca = positive(record, "GCA", "shear modulus ca");
+        if (record.peek("EC") && record.real("EC") > 0) {
+            ply.thinning_a = record.real("PRCA") / record.real("EC");
+            ply.thinning_b = record.real("PRCB") / record.real("EC");
+        }
         if (!(ply.nu_ba * ply.nu_ba * ply.ea / ply.eb < 1)) {
             reject_field(record, "PRBA",
                          "the elastic constants are not positive definite: PRBA^2 EA / EB is "

@@ -18,7 +18,9 @@ struct TimeControls {
     int shell_length_rule = 0;       ///< ISDO
     double mass_scaled_step = 0;     ///< DT2MS [time]; negative: add mass only where the step is smaller
     Index largest_step_curve = none; ///< LCTM
-    bool erode_small_step = false;   ///< ERODE
+    bool erode_small_step =
+        false; ///< ERODE 1, 11: solids and thick shells go when their step falls below DTMIN
+    bool erode_small_shells = false; ///< ERODE 10, 11: shells likewise
 };
 
 /// *CONTROL_ENERGY: which energies enter the balance. Plash always computes all of them.
@@ -87,6 +89,7 @@ struct OutputControls {
     std::vector<Index> history_nodes;
     std::vector<Index> history_shells;
     std::vector<Index> history_solids;
+    std::vector<Index> history_thick_shells;
     std::vector<Index> history_beams;
     std::vector<Index> history_particles; ///< nodes of *DATABASE_HISTORY_SPH
     std::map<std::string, double> extent; ///< *DATABASE_EXTENT_BINARY by field name, where the deck has it

@@ -134,6 +134,22 @@ struct Model {
     const std::string& body_title(BodyNumber body) const;
 };
 
+/// Bricks are what has faces: the solids, and behind them the thick shells, numbered through.
+inline std::size_t brick_count(const Model& model)
+{
+    return model.solids.size() + model.thick_shells.size();
+}
+inline const std::array<Index, 8>& brick_nodes(const Model& model, Index brick)
+{
+    const auto solids = static_cast<Index>(model.solids.size());
+    return brick < solids ? model.solids.nodes[brick] : model.thick_shells.nodes[brick - solids];
+}
+inline Index brick_part(const Model& model, Index brick)
+{
+    const auto solids = static_cast<Index>(model.solids.size());
+    return brick < solids ? model.solids.part[brick] : model.thick_shells.part[brick - solids];
+}
+
 /// Calls visit(elements) for every list of elements that have an id, a part and nodes.
 template <class Visit>
 void for_each_topology(const Model& model, Visit&& visit)

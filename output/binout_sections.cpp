@@ -365,6 +365,7 @@ private:
         put_elements(snapshot, file, lists.solids, root + "/solid" + number);
         put_elements(snapshot, file, lists.shells, root + "/shell" + number);
         if (!beams_.empty()) put_elout_beams(snapshot, file, beams_, root + "/beam" + number);
+        put_elements(snapshot, file, lists.thick_shells, root + "/thickshell" + number);
     }
     static void put_elements(const Snapshot& snapshot, ArrayFile& file,
                              const std::vector<ElementHistory>& elements, const std::string& folder)

@@ -53,6 +53,11 @@ void D3plotRecorder::write_state(const Snapshot& snapshot)
     clear(r.solid_stress, solids);
     clear(r.solid_plastic_strain, solids);
     clear(r.solid_deleted, solids);
+    const std::size_t thick_shells = layout_.thick_shells.size();
+    r.thick_shell_layers = layout_.layers;
+    clear(r.thick_shell_stress, thick_shells * layout_.layers);
+    clear(r.thick_shell_plastic_strain, thick_shells * layout_.layers);
+    clear(r.thick_shell_deleted, thick_shells);
     clear(r.beams, beams);
     clear(r.beam_deleted, beams);
     r.beam_points = layout_.beam_points;
@@ -72,9 +77,11 @@ void D3plotRecorder::write_state(const Snapshot& snapshot)
     for (Index node : layout_.nodes) put(family_, motion.velocity(node));
     for (Index node : layout_.nodes) put(family_, motion.acceleration(node));
     put_solids();
+    put_thick_shells();
     put_beams();
     put_shells();
     for (Index solid : layout_.solids) family_.put(r.solid_deleted[solid] ? 0 : 1);
+    for (Index shell : layout_.thick_shells) family_.put(r.thick_shell_deleted[shell] ? 0 : 1);
     for (Index shell : layout_.shells) family_.put(r.shell_deleted[shell] ? 0 : 1);
     for (Index beam : layout_.beams) family_.put(r.beam_deleted[beam] ? 0 : 1);
     put_particles(snapshot.model);
@@ -120,6 +127,17 @@ void D3plotRecorder::put_solids()
         family_.put(results_.solid_plastic_strain[solid]);
         if (layout_.fluid_groups > 0) family_.put(results_.solid_density[solid]);
         for (const auto& fraction : results_.solid_fraction) family_.put(fraction[solid]);
+    }
+}
+
+void D3plotRecorder::put_thick_shells()
+{
+    for (Index shell : layout_.thick_shells) {
+        for (int layer = 0; layer < layout_.layers; ++layer) {
+            const std::size_t place = static_cast<std::size_t>(shell) * layout_.layers + layer;
+            if (layout_.shell_stress) put(family_, results_.thick_shell_stress[place]);
+            if (layout_.shell_strain) family_.put(results_.thick_shell_plastic_strain[place]);
+        }
     }
 }
 

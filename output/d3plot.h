@@ -28,6 +28,7 @@ private:
     void serialise_files(Archive& archive) override { archive(family_); }
     void put_globals(const Snapshot&, const Vec3& velocity);
     void put_solids();
+    void put_thick_shells();
     void put_beams();
     void put_shells();
     void put_particles(const Model&);

@@ -112,8 +112,10 @@ std::vector<std::uint32_t> control_block(const Model& model, const D3plotLayout&
     words[37] = count(layout.particles.size());               // NMSPH
     words[38] = parts_with(model.particles.part, part_count);
     words[39] = count(16 + layout.nodes.size() + layout.solids.size() + layout.beams.size() +
-                      layout.shells.size() + 3 * part_count);
-    words[42] = count(layout.layers * 7); // NV3DT
+                      layout.shells.size() + layout.thick_shells.size() + 3 * part_count);
+    words[40] = count(layout.thick_shells.size());               // NELT
+    words[41] = parts_with(model.thick_shells.part, part_count); // NUMMATT
+    words[42] = count(layout.thick_shell_words());               // NV3DT
     words[43] = layout.shell_stress ? 1000 : 999;
     words[44] = layout.shell_strain ? 1000 : 999;
     words[45] = layout.shell_forces ? 1000 : 999;
@@ -134,18 +136,19 @@ void put_numbers(std::vector<std::uint32_t>& words, const Model& model, const D3
     const auto parts = static_cast<std::uint32_t>(layout.parts.size());
     const std::uint32_t solid_place = 1 + nodes, beam_place = solid_place + solids;
     const std::uint32_t shell_place = beam_place + beams;
-    const std::uint32_t part_place = shell_place + shells;
+    const auto thick_shells = static_cast<std::uint32_t>(layout.thick_shells.size());
+    const std::uint32_t thick_place = shell_place + shells, part_place = thick_place + thick_shells;
     const std::uint32_t header[16] = {
         static_cast<std::uint32_t>(-1), // NSORT; the minus: part numbers follow
         solid_place,
         beam_place,
         shell_place,
-        part_place,
+        thick_place,
         nodes,
         solids,
         beams,
         shells,
-        0,
+        thick_shells,
         part_place + parts,
         part_place,
         part_place + 2 * parts, // sorted, as the deck has them, cross-reference
@@ -158,6 +161,7 @@ void put_numbers(std::vector<std::uint32_t>& words, const Model& model, const D3
     put_ids(words, model.solids.id, layout.solids);
     put_ids(words, model.beams.id, layout.beams);
     put_ids(words, model.shells.id, layout.shells);
+    put_ids(words, model.thick_shells.id, layout.thick_shells);
     put_ids(words, part_ids, layout.parts);
     put_ids(words, part_ids, layout.parts);
     for (std::uint32_t part = 1; part <= parts; ++part) words.push_back(part);
@@ -183,6 +187,7 @@ D3plotLayout::D3plotLayout(const Model& model)
       solids(sorted_by_id(model.solids.id)),
       beams(sorted_by_id(model.beams.id)),
       shells(sorted_by_id(model.shells.id)),
+      thick_shells(sorted_by_id(model.thick_shells.id)),
       particles(sorted_particles(model)),
       walls(model.rigid_walls.size()),
       fluid_groups(has_eulerian_mesh(model) ? multi_material_groups(model) : 0)
@@ -221,6 +226,7 @@ std::vector<std::uint32_t> d3plot_geometry(const Model& model, const D3plotLayou
     }
     const std::vector<std::uint32_t> node_place = places(layout.nodes), part_place = places(layout.parts);
     put_elements(words, model.solids, layout.solids, node_place, part_place);
+    put_elements(words, model.thick_shells, layout.thick_shells, node_place, part_place);
     put_beams(words, model, layout.beams, node_place, part_place);
     put_elements(words, model.shells, layout.shells, node_place, part_place);
     put_numbers(words, model, layout, part_ids);

@@ -11,7 +11,7 @@ namespace plash {
 /// 2017). Readers search numbers, so nodes, elements and parts are sorted by their numbers.
 struct D3plotLayout {
     /// Indices into the Model in the order of the database.
-    std::vector<Index> nodes, solids, beams, shells, parts;
+    std::vector<Index> nodes, solids, beams, shells, thick_shells, parts;
     std::vector<Index> particles; ///< by the numbers of their nodes
 
     int layers = 3;                  ///< MAXINT: through-thickness points of shells
@@ -34,6 +34,8 @@ struct D3plotLayout {
     std::size_t solid_words() const { return 7 + solid_history(); }
     /// Resultants; shear stresses rs and tr, axial stress, plastic strain and axial strain of each point.
     std::size_t beam_words() const { return 6 + 5 * static_cast<std::size_t>(beam_points); }
+    /// Stresses and plastic strain of each point.
+    std::size_t thick_shell_words() const { return layers * (6 * shell_stress + shell_strain); }
     std::size_t shell_words() const
     {
         return layers * (6 * shell_stress + shell_strain) + 8 * shell_forces + 4 * shell_extra;
@@ -45,8 +47,9 @@ struct D3plotLayout {
     std::size_t state_words() const
     {
         return global_words() + 9 * nodes.size() + solid_words() * solids.size() +
-               beam_words() * beams.size() + shell_words() * shells.size() + solids.size() + shells.size() +
-               beams.size() + particle_words() * particles.size();
+               beam_words() * beams.size() + shell_words() * shells.size() +
+               thick_shell_words() * thick_shells.size() + solids.size() + shells.size() + beams.size() +
+               thick_shells.size() + particle_words() * particles.size();
     }
 };
 

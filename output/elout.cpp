@@ -49,6 +49,19 @@ const Record* section_of(const Model& model, Index part)
     return section == none ? nullptr : &model.sections[section];
 }
 
+/// Points through the thickness of a thick shell: its plies, or NIP of its section.
+int thick_shell_points(const Model& model, Index shell)
+{
+    const ThickShellElements& shells = model.thick_shells;
+    if (!shells.layers.empty() && !shells.layers[shell].empty())
+        return static_cast<int>(shells.layers[shell].size());
+    const Part& part = model.parts[shells.part[shell]];
+    if (!part.layers.empty()) return static_cast<int>(part.layers.size());
+    const Record* section = section_of(model, shells.part[shell]);
+    const Id points = section ? section->integer("NIP", 2) : 2;
+    return points > 0 ? static_cast<int>(points) : 2;
+}
+
 /// Layer of the collected results that holds integration point `point` (from the bottom). Three layers come
 /// as middle, innermost, outermost; any other number from bottom to top.
 int layer_of(int point, int points, int layers)
@@ -57,6 +70,30 @@ int layer_of(int point, int points, int layers)
     if (points == 1) return 0;
     if (points == 2) return 1 + point;
     return std::array{1, 0, 2}[point];
+}
+
+/// kind  three letters, as in the heading of the points
+std::string format_layers(long cycle, double time, std::span<const ElementHistory> shells,
+                          std::string_view kind)
+{
+    std::string text = table_heading(cycle, time);
+    text += " element  materl(global)\n ipt-";
+    text += kind;
+    text +=
+        "  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx       "
+        "plastic\n"
+        "           state                                                                                 "
+        "strain \n";
+    for (const ElementHistory& shell : shells) {
+        fmt::format_to(std::back_inserter(text), "{:8}-{:7}\n", shell.id, shell.part);
+        for (std::size_t i = 0; i < shell.points.size(); ++i) {
+            fmt::format_to(std::back_inserter(text), "{:4}-{:3} ", i + 1, shell.formulation);
+            append_point(text, shell.points[i]);
+            append_scientific(text, shell.points[i].plastic_strain, 14, 4);
+            text += '\n';
+        }
+    }
+    return text;
 }
 
 } // namespace
@@ -85,31 +122,27 @@ std::string format_elout_solids(long cycle, double time, std::span<const Element
 
 std::string format_elout_shells(long cycle, double time, std::span<const ElementHistory> shells)
 {
-    std::string text = table_heading(cycle, time);
-    text +=
-        " element  materl(global)\n"
-        " ipt-shl  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx       "
-        "plastic\n"
-        "           state                                                                                 "
-        "strain \n";
-    for (const ElementHistory& shell : shells) {
-        fmt::format_to(std::back_inserter(text), "{:8}-{:7}\n", shell.id, shell.part);
-        for (std::size_t i = 0; i < shell.points.size(); ++i) {
-            fmt::format_to(std::back_inserter(text), "{:4}-{:3} ", i + 1, shell.formulation);
-            append_point(text, shell.points[i]);
-            append_scientific(text, shell.points[i].plastic_strain, 14, 4);
-            text += '\n';
-        }
-    }
-    return text;
+    return format_layers(cycle, time, shells, "shl");
+}
+
+std::string format_elout_thick_shells(long cycle, double time, std::span<const ElementHistory> shells)
+{
+    return format_layers(cycle, time, shells, "tsh");
 }
 
 ElementHistories::ElementHistories(const Model& model)
     : shells_(without_repeats(model.controls.output.history_shells)),
       solids_(without_repeats(model.controls.output.history_solids)),
       shell_rows_(rows_of(shells_, model.shells.size())),
-      solid_rows_(rows_of(solids_, model.solids.size()))
+      solid_rows_(rows_of(solids_, model.solids.size())),
+      thick_shells_(without_repeats(model.controls.output.history_thick_shells)),
+      thick_shell_rows_(rows_of(thick_shells_, model.thick_shells.size()))
 {
+    for (Index shell : thick_shells_) {
+        const int points = thick_shell_points(model, shell);
+        thick_shell_points_.push_back(points);
+        thick_shell_layers_ = std::max(thick_shell_layers_, points);
+    }
     for (Index shell : shells_) {
         const Record* section = section_of(model, model.shells.part[shell]);
         const int points = section ? std::max<int>(1, section->integer("NIP", 2)) : 1;
@@ -131,10 +164,30 @@ ElementHistories::Lists ElementHistories::collect(const Snapshot& snapshot) cons
     results.solid_stress.resize(solids_.size());
     results.solid_plastic_strain.resize(solids_.size());
     results.solid_deleted.resize(solids_.size());
+    results.thick_shell_rows = thick_shell_rows_;
+    results.thick_shell_layers = thick_shell_layers_;
+    results.thick_shell_stress.resize(thick_shells_.size() * thick_shell_layers_);
+    results.thick_shell_plastic_strain.resize(thick_shells_.size() * thick_shell_layers_);
+    results.thick_shell_deleted.resize(thick_shells_.size());
     snapshot.collect(results);
 
     Lists lists;
-    auto& [solids, shells] = lists;
+    auto& [solids, shells, thick_shells] = lists;
+    for (std::size_t row = 0; row < thick_shells_.size(); ++row) {
+        if (results.thick_shell_deleted[row]) continue;
+        const Index part = model.thick_shells.part[thick_shells_[row]];
+        const Record* section = section_of(model, part);
+        ElementHistory& shell = thick_shells.emplace_back();
+        shell.id = model.thick_shells.id[thick_shells_[row]];
+        shell.part = model.parts[part].id;
+        shell.formulation = section ? section->integer("ELFORM", 1) : 1;
+        for (int point = 0; point < thick_shell_points_[row]; ++point) {
+            const std::size_t place =
+                row * thick_shell_layers_ + layer_of(point, thick_shell_points_[row], thick_shell_layers_);
+            shell.points.push_back(
+                {results.thick_shell_stress[place], results.thick_shell_plastic_strain[place]});
+        }
+    }
     for (std::size_t row = 0; row < solids_.size(); ++row) {
         if (results.solid_deleted[row]) continue;
         ElementHistory& solid = solids.emplace_back();
@@ -170,10 +223,12 @@ EloutRecorder::EloutRecorder(const Model& model, Schedule schedule, const Result
 
 void EloutRecorder::write_state(const Snapshot& snapshot)
 {
-    const auto [solids, shells] = histories_.collect(snapshot);
+    const auto [solids, shells, thick_shells] = histories_.collect(snapshot);
     const long cycle = snapshot.clock.cycle + 1;
     if (!solids.empty()) file_.write(format_elout_solids(cycle, snapshot.clock.time, solids));
     if (!shells.empty()) file_.write(format_elout_shells(cycle, snapshot.clock.time, shells));
+    if (!thick_shells.empty())
+        file_.write(format_elout_thick_shells(cycle, snapshot.clock.time, thick_shells));
     if (!beams_.empty()) file_.write(format_elout_beams(snapshot, beams_));
     file_.flush();
 }

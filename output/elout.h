@@ -27,15 +27,16 @@ struct ElementHistory {
 /// when it has plastic strain. The yield function column of solids holds the plastic strain.
 std::string format_elout_solids(long cycle, double time, std::span<const ElementHistory>);
 std::string format_elout_shells(long cycle, double time, std::span<const ElementHistory>);
+std::string format_elout_thick_shells(long cycle, double time, std::span<const ElementHistory>);
 
-/// The elements of *DATABASE_HISTORY_SHELL and *DATABASE_HISTORY_SOLID, each once and by the Model's order.
+/// The elements of *DATABASE_HISTORY_SHELL, _SOLID and _TSHELL, each once and by the Model's order.
 class ElementHistories {
 public:
     explicit ElementHistories(const Model&);
 
     /// Those that are not eroded.
     struct Lists {
-        std::vector<ElementHistory> solids, shells;
+        std::vector<ElementHistory> solids, shells, thick_shells;
     };
     Lists collect(const Snapshot&) const;
 
@@ -44,9 +45,12 @@ private:
     std::vector<Index> shell_rows_, solid_rows_; ///< row of each element of the Model among those
     std::vector<int> shell_points_;              ///< integration points of each of `shells_`
     int shell_layers_ = 0;
+    std::vector<Index> thick_shells_, thick_shell_rows_; ///< likewise
+    std::vector<int> thick_shell_points_;
+    int thick_shell_layers_ = 0;
 };
 
-/// *DATABASE_ELOUT: the elements of *DATABASE_HISTORY_SHELL, _SOLID and _BEAM. Eroded elements are
+/// *DATABASE_ELOUT: the elements of *DATABASE_HISTORY_SHELL, _SOLID, _TSHELL and _BEAM. Eroded elements are
 /// left out, as LS-DYNA does.
 class EloutRecorder final : public ScheduledRecorder {
 public:

@@ -58,7 +58,8 @@ bool has_history_nodes(const Model& model)
 bool has_history_elements(const Model& model)
 {
     const OutputControls& output = model.controls.output;
-    return !output.history_shells.empty() || !output.history_solids.empty() || !output.history_beams.empty();
+    return !output.history_shells.empty() || !output.history_solids.empty() ||
+           !output.history_beams.empty() || !output.history_thick_shells.empty();
 }
 
 bool has_spot_welds(const Model& model)

@@ -17,8 +17,10 @@ void check_sizes(Archive& archive, const Scene& scene, const Recorders& recorder
 {
     const Model& model = scene.model;
     const std::pair<const char*, std::size_t> sizes[] = {
-        {"nodes", model.nodes.size()}, {"shells", model.shells.size()}, {"solids", model.solids.size()},
-        {"parts", model.parts.size()}, {"terms", scene.terms.size()},   {"result files", recorders.size()},
+        {"nodes", model.nodes.size()},      {"shells", model.shells.size()},
+        {"solids", model.solids.size()},    {"thick shells", model.thick_shells.size()},
+        {"parts", model.parts.size()},      {"terms", scene.terms.size()},
+        {"result files", recorders.size()},
     };
     for (const auto& [what, size] : sizes) {
         std::uint64_t stored = size;

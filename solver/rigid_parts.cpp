@@ -283,7 +283,6 @@ void check_elements(const Model& model)
         }
     };
     check(model.beams, "beams");
-    check(model.thick_shells, "thick shells");
     check(model.tetrahedra, "ten-node tetrahedra");
     for (std::size_t i = 0; i < model.shells.size(); ++i) {
         const Part& part = model.parts[model.shells.part[i]];
@@ -302,6 +301,7 @@ void add_rigid_masses(const Model& model, State& state)
     check_elements(model);
     std::vector<bool> has_solids(model.parts.size());
     for (Index part : model.solids.part) has_solids[part] = true;
+    for (Index part : model.thick_shells.part) has_solids[part] = true;
     for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part) {
         if (!model.is_rigid(part) || !has_solids[part]) continue;
         const SolidMasses solids = solid_masses(model, part);

@@ -21,6 +21,7 @@
 #include "elements/shell_groups.h"
 #include "elements/solid_groups.h"
 #include "elements/stiffness_damping.h"
+#include "elements/thick_shell_groups.h"
 #include "model/eulerian.h"
 #include "rigid/interpolation.h"
 #include "rigid/linear_constraints.h"
@@ -127,6 +128,7 @@ Scene make_scene(const Model& model)
     for (auto& group : make_shell_groups(model, state)) scene.terms.push_back(std::move(group));
     for (auto& group : make_solid_groups(model, state)) scene.terms.push_back(std::move(group));
     for (auto& group : make_stiffness_damping(model, state)) scene.terms.push_back(std::move(group));
+    for (auto& group : make_thick_shell_groups(model, state)) scene.terms.push_back(std::move(group));
     std::vector<const Term*> elements; // that know plastic strains
     for (const auto& term : scene.terms) elements.push_back(term.get());
     for (auto& group : make_beam_groups(model, state)) scene.terms.push_back(std::move(group));

@@ -85,7 +85,7 @@ bool Terminations::deletion_ends(const Termination& end) const
     const auto& deleted = shells ? scene_.state.deleted_shells : scene_.state.deleted_solids;
     const auto& part = shells ? scene_.model.shells.part : scene_.model.solids.part;
     long count = 0;
-    for (std::size_t i = 0; i < deleted.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(deleted.size(), part.size()); ++i) {
         if (deleted[i] && std::find(end.parts.begin(), end.parts.end(), part[i]) != end.parts.end()) ++count;
     }
     return count >= end.count;

@@ -37,10 +37,7 @@ void read_timestep(const Record& record, const Block&, Reading& reading)
     time.largest_step_curve = reading.find(record, "LCTM", Kind::curve);
     const Id erode = record.integer("ERODE");
     time.erode_small_step = erode % 10 == 1;
-    if (erode >= 10) {
-        reading.warning(record, "ERODE",
-                        "shells are not deleted by DTMIN; TDEL of their material deletes them by their step");
-    }
+    time.erode_small_shells = erode == 10 || erode == 11;
     if (time.step_scale < 0) reading.error(record, "TSSFAC", "the scale of the step is negative");
 }
 

@@ -109,7 +109,9 @@ void read_history(const Record& record, Kind kind, Kind set_kind, std::vector<In
         const std::vector<Index>& members = set_kind == Kind::node_set    ? model.node_sets[found].nodes
                                             : set_kind == Kind::shell_set ? model.shell_sets[found].elements
                                             : set_kind == Kind::beam_set  ? model.beam_sets[found].elements
-                                                                          : model.solid_sets[found].elements;
+                                            : set_kind == Kind::tshell_set
+                                                ? model.thick_shell_sets[found].elements
+                                                : model.solid_sets[found].elements;
         chosen.insert(chosen.end(), members.begin(), members.end());
     }
 }
@@ -129,6 +131,12 @@ void read_particle_history(const Record& record, const Block&, Reading& reading)
 void read_shell_history(const Record& record, const Block&, Reading& reading)
 {
     read_history(record, Kind::shell, Kind::shell_set, reading.model.controls.output.history_shells, reading);
+}
+
+void read_thick_shell_history(const Record& record, const Block&, Reading& reading)
+{
+    read_history(record, Kind::tshell, Kind::tshell_set, reading.model.controls.output.history_thick_shells,
+                 reading);
 }
 
 void read_beam_history(const Record& record, const Block&, Reading& reading)
@@ -356,6 +364,9 @@ constexpr Translator database_table[] = {
     {"DATABASE_SWFORC", Phase::conditions, read_ascii},
     {"DATABASE_HISTORY_SPH", Phase::conditions, read_particle_history},
     {"DATABASE_HISTORY_SPH_SET", Phase::conditions, read_particle_history},
+    {"DATABASE_HISTORY_TSHELL", Phase::conditions, read_thick_shell_history},
+    {"DATABASE_HISTORY_TSHELL_ID", Phase::conditions, read_thick_shell_history},
+    {"DATABASE_HISTORY_TSHELL_SET", Phase::conditions, read_thick_shell_history},
     {"DATABASE_HISTORY_SOLID", Phase::conditions, read_solid_history},
     {"DATABASE_HISTORY_SOLID_ID", Phase::conditions, read_solid_history},
     {"DATABASE_HISTORY_SOLID_SET", Phase::conditions, read_solid_history},

@@ -38,8 +38,8 @@ public:
             for (Index node : fixed.nodes) held[node] |= fixed.freedoms & translations;
         }
         for (const SolidFace& face : solid_faces(model_)) {
-            if (!water_.is_water[model_.solids.part[face.solid]]) continue;
-            if (face.neighbour != none && water_.is_water[model_.solids.part[face.neighbour]]) continue;
+            if (!water_.is_water[brick_part(model_, face.solid)]) continue;
+            if (face.neighbour != none && water_.is_water[brick_part(model_, face.neighbour)]) continue;
             const Vec3 &a = model_.nodes.position[face.nodes[0]], &b = model_.nodes.position[face.nodes[1]],
                        &c = model_.nodes.position[face.nodes[2]];
             const Vec3 normal = cross(b - a, c - a);

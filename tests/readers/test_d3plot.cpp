@@ -261,6 +261,55 @@ TEST(D3plot, GivesBeams)
     }
 }
 
+/// Thick shells stand behind the solids, with the stresses of their layers, and leave when they erode.
+TEST(D3plot, GivesThickShells)
+{
+    TemporaryFolder folder;
+    SnapshotFixture fixture = small_model();
+    Model& model = fixture.model;
+    Part part;
+    part.id = 12;
+    part.title = "stack";
+    model.parts.push_back(part);
+    model.thick_shells.id = {41, 40};
+    model.thick_shells.part = {3, 3};
+    model.thick_shells.nodes = {{0, 1, 3, 2, 4, 5, 7, 6}, {4, 5, 7, 6, 8, 9, 11, 10}};
+    fixture.start();
+    add_made_up_results(fixture);
+    fixture.add_results().fill = [&](const State&, ElementResults& r) {
+        if (r.thick_shell_stress.empty()) return;
+        for (Index e = 0; e < 2; ++e) {
+            for (int layer = 0; layer < 3; ++layer) {
+                set_stress(r.thick_shell_stress[e * 3 + layer], e + 5, layer, fixture.clock.time);
+                r.thick_shell_plastic_strain[e * 3 + layer] = e + 0.25 * layer;
+            }
+        }
+        r.thick_shell_deleted[0] = fixture.clock.time > 0.15;
+    };
+    D3plotRecorder recorder(model, Schedule(0.1), database(folder));
+    write_states(fixture, recorder);
+    const VtkD3plot read = read_with_vtk(database(folder), 1);
+    const VtkPart& stack = read.part("stack");
+    EXPECT_EQ(stack.element_ids, (std::vector<Id>{40, 41}));
+    for (std::size_t cell = 0; cell < 2; ++cell) {
+        const Index shell = index_of(model.thick_shells.id, stack.element_ids[cell]);
+        for (int corner = 0; corner < 8; ++corner) {
+            EXPECT_EQ(node_of(model, stack, stack.corners[cell].at(corner)),
+                      model.thick_shells.nodes[shell][corner]);
+        }
+        // The database has middle, inner and outer layer one after the other.
+        const auto& stress = stack.cell_values.at("Stress")[cell];
+        for (int c = 0; c < 6; ++c) EXPECT_NEAR(stress[c], stress_of(shell + 5, 0, c, 0.1), 1e4 * digits);
+    }
+    // What stands behind keeps its place, and so do solids.
+    EXPECT_EQ(read.part("sheets").element_ids, (std::vector<Id>{7, 8, 9}));
+    EXPECT_NEAR(read.part("sheets").cell_values.at("Thickness")[0][0], 1.5 + 2, 10 * digits);
+    EXPECT_EQ(read.part("blocks").element_ids, (std::vector<Id>{501, 502}));
+    const VtkD3plot later = read_with_vtk(database(folder), 2);
+    EXPECT_EQ(later.part("stack").element_ids, (std::vector<Id>{40}));
+    EXPECT_EQ(later.part("sheets").element_ids, (std::vector<Id>{7, 9}));
+}
+
 TEST(D3plot, LeavesOutWhatHasEroded)
 {
     TemporaryFolder folder;

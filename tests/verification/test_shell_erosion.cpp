@@ -92,4 +92,39 @@ TEST(ShellErosion, ElementsBelowTheSmallestStepAreDeleted)
     EXPECT_GE(outcome.last_step, 0.9 * 7e-4);
 }
 
+/// *CONTROL_TIMESTEP ERODE = 10 and 11: a shell goes when its step falls below DTMIN times the first step,
+/// and does not hold up the run any more.
+TEST(ShellErosion, ShellsGoWhenTheirStepFallsBelowDtmin)
+{
+    for (const bool erode : {false, true}) {
+        Model model = shell_model(make_record("MAT_ELASTIC", {{"RO", 1}, {"E", 1}, {"PR", 0}}),
+                                  {{"ELFORM", 2}, {"NIP", 2}, {"T1", 0.1}});
+        add_grid(model, 2, 1, [](int i, int j) { return Vec3{1.0 * i, 1.0 * j, 0}; });
+        model.controls.time.smallest_step_factor = 0.2;
+        model.controls.time.erode_small_shells = erode;
+        State state;
+        state.position = model.nodes.position;
+        state.velocity.resize(state.size());
+        state.force.resize(state.size());
+        state.mass.resize(state.size());
+        auto groups = make_shell_groups(model, state);
+        ASSERT_EQ(groups.size(), 1u);
+        Clock clock;
+        groups[0]->add_forces(clock, state);
+        clock.cycle = 1;
+        clock.last_step = 0.9 * groups[0]->stable_step().step; // the first step of the run
+        for (const double width : {0.21, 0.19}) {
+            for (Index node : {0, 3}) state.position[node].x = 1 - width; // the first shell is squashed
+            groups[0]->add_forces(clock, state);
+            ++clock.cycle;
+            const bool gone = erode && width < 0.2;
+            EXPECT_EQ(state.deletions, gone ? 1 : 0) << width;
+            EXPECT_NEAR(groups[0]->stable_step().step, gone ? 1 : width, 1e-12);
+        }
+        const std::vector<std::uint8_t> expected =
+            erode ? std::vector<std::uint8_t>{1, 0} : std::vector<std::uint8_t>{};
+        EXPECT_EQ(state.deleted_shells, expected);
+    }
+}
+
 } // namespace plash

@@ -1,3 +1,4 @@
+#include "elements/shell_groups.h"
 #include "solver/explicit_loop.h"
 #include "tests/support/shell_model.h"
 
@@ -114,6 +115,51 @@ TEST(ShellNull, OnlyAddsMass)
     Scene scene = make_scene(model);
     EXPECT_TRUE(scene.terms.empty());
     for (double mass : scene.state.mass) EXPECT_NEAR(mass, 3 * 2 * 0.5 / 4, 1e-15);
+}
+
+/// ISTUPD = 1 with orthotropic plies: the thickness follows PRCA sigma_a / EC.
+TEST(ShellLaminate, PliesThinByTheirStress)
+{
+    for (const double formulation : {2, 16}) {
+        Record material = make_record("MAT_ORTHOTROPIC_ELASTIC", {{"RO", 1},
+                                                                  {"EA", 100},
+                                                                  {"EB", 10},
+                                                                  {"EC", 10},
+                                                                  {"PRBA", 0},
+                                                                  {"PRCA", 0.03},
+                                                                  {"PRCB", 0.2},
+                                                                  {"GAB", 5},
+                                                                  {"GBC", 5},
+                                                                  {"GCA", 5},
+                                                                  {"AOPT", 2},
+                                                                  {"A1", 1}});
+        Model model = shell_model(std::move(material), {{"ELFORM", formulation}, {"NIP", 2}, {"T1", 1}});
+        model.parts[0].layers = {{0, 0.5, 0}, {0, 0.5, 90}};
+        model.controls.elements.thickness_change = 1;
+        add_grid(model, 1, 1, [](int i, int j) { return Vec3{1.0 * i, 1.0 * j, 0}; });
+        State state;
+        state.position = model.nodes.position;
+        state.velocity.resize(state.size());
+        state.force.resize(state.size());
+        state.mass.resize(state.size());
+        auto groups = make_shell_groups(model, state);
+        Clock clock;
+        clock.last_step = 1;
+        for (int step = 0; step < 100; ++step) { // stretched along x by 1 %
+            for (Index node : {1, 3}) {
+                state.position[node].x += 1e-4;
+                state.velocity[node].x = 1e-4;
+            }
+            groups[0]->add_forces(clock, state);
+        }
+        ElementResults results;
+        results.shell_thickness.resize(1);
+        results.shell_layers = 2;
+        groups[0]->collect(state, results);
+        // The ply along x has 100 e and thins by 0.003 times that, the one across 10 e and 0.02.
+        const double strain = std::log(1.01), thinning = 0.5 * (0.003 * 100 + 0.02 * 10) * strain;
+        EXPECT_NEAR(results.shell_thickness[0], std::exp(-thinning), 1e-7) << formulation;
+    }
 }
 
 } // namespace plash
