@@ -62,6 +62,7 @@ RelaxationOutcome relax(Scene& scene, std::vector<std::unique_ptr<Recorder>>& re
     Clock clock;
     clock.relaxing = true;
     RelaxationLook look;
+    double since_look = 0; // largest energy since the last look: at a turning point of a swing there is none
     const auto start = std::chrono::steady_clock::now();
     while (true) {
         sum_forces(scene, clock, step_control, term_seconds);
@@ -69,7 +70,8 @@ RelaxationOutcome relax(Scene& scene, std::vector<std::unique_ptr<Recorder>>& re
         close_ledger(scene, advance_velocities(clock, state));
         check_finite(scene);
 
-        look.energy = damping.distortional_energy();
+        since_look = std::max(since_look, damping.distortional_energy());
+        look.energy = since_look;
         look.peak = std::max(look.peak, look.energy);
         look.ratio = look.peak > 0 ? look.energy / look.peak : 0;
         const bool stopped = options.stop_requested && *options.stop_requested;
@@ -83,6 +85,7 @@ RelaxationOutcome relax(Scene& scene, std::vector<std::unique_ptr<Recorder>>& re
             const Snapshot snapshot{scene.model,          clock,  state, scene.ledger, scene.terms,
                                     step_control.owner(), seconds};
             for (auto& recorder : recorders) recorder->write_relaxation(snapshot, look);
+            since_look = 0;
         }
         if (look.last) break;
         move_nodes(scene, clock, term_seconds);

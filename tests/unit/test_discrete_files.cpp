@@ -39,13 +39,13 @@ std::string pulled_mass()
 {
     return "*KEYWORD\n*TITLE\npulled\n*NODE\n1,0,0,0\n2,3,4,0\n3,3,4,0\n"
            "*ELEMENT_DISCRETE\n7,1,1,2\n8,1,1,2,0,1.0,1\n"
-           "*ELEMENT_BEAM\n9,2,3,2\n*ELEMENT_MASS\n1,2,2.0\n"
+           "*ELEMENT_BEAM\n9,2,3,2\n*ELEMENT_MASS\n1,2,2.0\n2,1,2.0\n"
            "*PART\nspring\n1,1,1\n*PART\nbeam\n2,2,2\n"
            "*SECTION_DISCRETE\n1\n*SECTION_BEAM\n2,6\n1.0,0,0\n"
            "*MAT_SPRING_ELASTIC\n1,50\n*MAT_066\n2,1.0,20\n\n\n"
            "*BOUNDARY_SPC_NODE\n1,0,1,1,1\n3,0,1,1,1\n"
            "*BOUNDARY_PRESCRIBED_MOTION_NODE\n2,1,2,4,1.0\n2,2,2,5,1.0\n"
-           "*DEFINE_CURVE\n4\n0,0\n1,0.12\n*DEFINE_CURVE\n5\n0,0\n1,0.16\n"
+           "*DEFINE_CURVE\n4\n0,0\n2,0.24\n*DEFINE_CURVE\n5\n0,0\n2,0.32\n"
            "*SET_NODE_LIST\n6\n2,1\n*DATABASE_NODAL_FORCE_GROUP\n6\n"
            "*DATABASE_DEFORC\n0.5,3\n*DATABASE_DISBOUT\n0.5,3\n*DATABASE_NODFOR\n0.5,3\n"
            "*CONTROL_TIMESTEP\n0,0.05\n*CONTROL_TERMINATION\n1.0\n*END\n";
