@@ -139,7 +139,7 @@ private:
             averaged.now[lane] = ratio;
         }
         SolidResult<Lanes> result = solid_step<rule>(point_, setup_.parameters, position, velocity, time_step,
-                                                     history, constants_of(batch), &averaged);
+                                                     history, constants_of(batch), averaged);
         history[ratio_history] = averaged.now;
         take(batch, position, result, sum);
         const int active = patches_.active_lanes(batch);

@@ -68,6 +68,20 @@ struct AveragedVolume {
     Lane now, before; ///< at the ends of the step
 };
 
+/// Gives a motion another volume; `strain` is the volume strain of the step that it has.
+template <class Lane>
+inline void replace_volume(SolidMotion<Lane>& motion, const Lane& strain,
+                           const AveragedVolume<Lane>& averaged)
+{
+    const Lane change = averaged.now - averaged.before;
+    const Lane more = (2.0 / 3) * change / (averaged.now + averaged.before) - (1.0 / 3) * strain;
+    motion.increment.xx += more;
+    motion.increment.yy += more;
+    motion.increment.zz += more;
+    motion.relative_volume = averaged.now;
+    motion.volume_change = change;
+}
+
 /// One step of a batch of one-point solids (Hallquist 2006, 'Solid elements'; Goudreau & Hallquist 1982;
 /// Flanagan & Belytschko 1981).
 ///
@@ -80,12 +94,13 @@ struct AveragedVolume {
 /// time_step  from n - 1 to n [time]
 /// history    SolidHistory and the point's own, in and out
 /// constants  SolidConstant and the point's own
-/// averaged   volume that the law sees in place of the element's own (elements/solid_nodal_volume.h), or null
-template <SolidGradientRule rule, class Lane, class Point>
+/// averaged   AveragedVolume that the law sees in place of the element's own (elements/solid_nodal_volume.h),
+/// or none
+template <SolidGradientRule rule, class Lane, class Point, class... Averaged>
 inline SolidResult<Lane> solid_step(const Point& point, const SolidParameters& parameters,
                                     const SolidModes<Lane>& position, const SolidModes<Lane>& velocity,
                                     double time_step, Lane* history, const Lane* constants,
-                                    const AveragedVolume<Lane>* averaged = nullptr)
+                                    const Averaged&... averaged)
 {
     SolidVote<Lane> vote;
     const Lane step = broadcast<Lane>(time_step);
@@ -118,16 +133,7 @@ inline SolidResult<Lane> solid_step(const Point& point, const SolidParameters& p
                              time_step,
                              position,
                              constants + point_constants};
-    if (averaged) {
-        const Lane change = averaged->now - averaged->before;
-        const Lane more =
-            (2.0 / 3) * change / (averaged->now + averaged->before) - (1.0 / 3) * step * expansion;
-        motion.increment.xx += more;
-        motion.increment.yy += more;
-        motion.increment.zz += more;
-        motion.relative_volume = averaged->now;
-        motion.volume_change = change;
-    }
+    if constexpr (sizeof...(Averaged) > 0) replace_volume(motion, Lane{step * expansion}, averaged...);
     const HistoryView<Lane> point_variables{history + point_history};
 
     // Bulk viscosity.
