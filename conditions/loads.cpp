@@ -33,7 +33,8 @@ void NodalLoads::add_forces(const Clock& clock, State& state)
         const auto& velocity = load.moment ? state.angular_velocity : state.velocity;
         auto& force = load.moment ? state.moment : state.force;
         if (load.moment && !state.rotational()) continue;
-        const Vec3 now = load.scale * load_value(model_, load.curve, clock, clock.time) * direction_of(load, state);
+        const Vec3 now =
+            load.scale * load_value(model_, load.curve, clock, clock.time) * direction_of(load, state);
         const Vec3 mean = 0.5 * (now + last_[i]);
         last_[i] = now;
         for (std::size_t k = 0; k < load.nodes.size(); ++k) {

@@ -79,8 +79,8 @@ void PrescribedMotions::constrain(const Clock& clock, State& state)
 {
     for (Driven& driven : motions_) {
         const PrescribedMotion& motion = *driven.motion;
-        const bool active = clock.time >= motion.birth && clock.time <= motion.death &&
-                            acts_now(model_, motion.curve, clock);
+        const bool active =
+            clock.time >= motion.birth && clock.time <= motion.death && acts_now(model_, motion.curve, clock);
         auto& velocities = motion.rotation ? state.angular_velocity : state.velocity;
         auto& forces = motion.rotation ? state.moment : state.force;
         if (velocities.empty()) continue;

@@ -11,7 +11,7 @@ namespace plash {
 
 namespace {
 
-constexpr int patch_length = 256;
+constexpr int cohesive_patch_length = 256;
 
 /// Shape functions of the surface's corners at a point: at the corner itself, or at the Gauss point next to
 /// it.
@@ -85,7 +85,7 @@ CohesiveSolids::CohesiveSolids(const Model& model, Index part, std::vector<Index
       part_(part),
       law_(CohesiveMixedMode::from_record(model.materials[model.parts[part].material])),
       name_(fmt::format("cohesive elements of part {}", model.parts[part].id)),
-      patches_(8, elements, nodes_of(model, elements), state.position, patch_length),
+      patches_(8, elements, nodes_of(model, elements), state.position, cohesive_patch_length),
       history_(static_cast<std::size_t>(patches_.batch_count()) * history_size),
       constants_(static_cast<std::size_t>(patches_.batch_count()) * points * constant_size),
       lost_(patches_.patches.size())

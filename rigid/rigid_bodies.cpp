@@ -196,8 +196,7 @@ void RigidBodies::add_missing_weight(const Clock& clock, RigidBody& body, Sums& 
     for (const BodyLoad& load : model_.body_loads) {
         const bool loaded = load.parts.empty() ||
                             std::find(load.parts.begin(), load.parts.end(), body.number) != load.parts.end();
-        if (loaded)
-            acceleration -= body_load_value(model_, load, clock) * load.direction;
+        if (loaded) acceleration -= body_load_value(model_, load, clock) * load.direction;
     }
     const Vec3 arm = body.orientation * body.missing_moment;
     sums.force += body.missing_mass * acceleration;

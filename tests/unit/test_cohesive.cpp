@@ -13,7 +13,7 @@ namespace {
 // mm, ms, kg, GPa: N/mm is kN/m; an epoxy between plies.
 constexpr double en = 100, et = 40, gic = 0.3e-3, giic = 0.9e-3, peak_n = 0.03, peak_s = 0.05;
 
-std::vector<std::pair<const char*, double>> card(std::vector<std::pair<const char*, double>> more)
+std::vector<std::pair<const char*, double>> cohesive_card(std::vector<std::pair<const char*, double>> more)
 {
     more.insert(more.end(), {{"RO", 1e-6},
                              {"ROFLG", 1},
@@ -28,9 +28,10 @@ std::vector<std::pair<const char*, double>> card(std::vector<std::pair<const cha
     return more;
 }
 
-CohesiveMixedMode law_of(std::vector<std::pair<const char*, double>> more = {})
+CohesiveMixedMode cohesive_law_of(std::vector<std::pair<const char*, double>> more = {})
 {
-    return CohesiveMixedMode::from_record(make_record("MAT_COHESIVE_MIXED_MODE", card(std::move(more))));
+    return CohesiveMixedMode::from_record(
+        make_record("MAT_COHESIVE_MIXED_MODE", cohesive_card(std::move(more))));
 }
 
 /// Energy by area that is used up when the sides part along a direction.
@@ -56,7 +57,7 @@ struct Glued {
     Clock clock;
 
     explicit Glued(std::vector<std::pair<const char*, double>> more = {})
-        : block({1, 1, 1}, {1, 1, 0}, make_record("MAT_COHESIVE_MIXED_MODE", card(std::move(more))))
+        : block({1, 1, 1}, {1, 1, 0}, make_record("MAT_COHESIVE_MIXED_MODE", cohesive_card(std::move(more))))
     {
         block.model.sections[0] = testing::record_of("SECTION_SOLID", 1, {{"ELFORM", 19}});
         state = block.state();
@@ -94,7 +95,7 @@ struct Glued {
 /// Pure modes: triangle under the energy of the mode, on the way back to the origin.
 TEST(CohesiveMixedMode, HasTheTrianglesOfItsModes)
 {
-    const CohesiveMixedMode law = law_of();
+    const CohesiveMixedMode law = cohesive_law_of();
     double damage = 0;
     EXPECT_NEAR(law.traction(Vec3{0, 0, 2e-4}, damage).z, en * 2e-4, 1e-15);
     const double peak = peak_n / en, last = 2 * gic / peak_n, half = 0.5 * (peak + last);
@@ -112,10 +113,10 @@ TEST(CohesiveMixedMode, UsesUpTheEnergyOfItsCriterion)
     for (const double ratio : {0.3, 1.0, 2.5}) {
         const double c = 1 / std::sqrt(1 + ratio * ratio), s = ratio * c;
         const double n = en * c * c, t = et * s * s; // shares of the energy
-        const double total = used_up(law_of(), {s, 0, c}, 0.2);
+        const double total = used_up(cohesive_law_of(), {s, 0, c}, 0.2);
         const double g1 = total * n / (n + t), g2 = total * t / (n + t);
         EXPECT_NEAR(std::pow(g1 / gic, 1.5) + std::pow(g2 / giic, 1.5), 1, 1e-5) << ratio;
-        const double other = used_up(law_of({{"XMU", -2}}), {s, 0, c}, 0.2);
+        const double other = used_up(cohesive_law_of({{"XMU", -2}}), {s, 0, c}, 0.2);
         EXPECT_NEAR(other, gic + (giic - gic) * std::pow(t / (n + t), 2), 1e-5 * other) << ratio;
     }
 }
@@ -123,12 +124,12 @@ TEST(CohesiveMixedMode, UsesUpTheEnergyOfItsCriterion)
 /// A peak that is left out follows from the ultimate separation.
 TEST(CohesiveMixedMode, TakesItsPeakFromTheUltimateSeparation)
 {
-    const CohesiveMixedMode law = law_of({{"T", 0}, {"UND", 0.02}});
+    const CohesiveMixedMode law = cohesive_law_of({{"T", 0}, {"UND", 0.02}});
     EXPECT_DOUBLE_EQ(law.normal_strength, 2 * gic / 0.02);
-    EXPECT_THROW(law_of({{"T", 0}}), DeckError);
-    EXPECT_THROW(law_of({{"T", -1}}), DeckError);
-    EXPECT_THROW(law_of({{"T", 1}}), DeckError); // beyond the energy
-    EXPECT_THROW(law_of({{"XMU", 0}}), DeckError);
+    EXPECT_THROW(cohesive_law_of({{"T", 0}}), DeckError);
+    EXPECT_THROW(cohesive_law_of({{"T", -1}}), DeckError);
+    EXPECT_THROW(cohesive_law_of({{"T", 1}}), DeckError); // beyond the energy
+    EXPECT_THROW(cohesive_law_of({{"XMU", 0}}), DeckError);
 }
 
 /// Pulled apart: forces on the nodes, energy GIC times area, and the element goes.

@@ -25,13 +25,13 @@ Record water(std::initializer_list<std::pair<const char*, double>> more = {})
 }
 
 /// One cell of 2 x 1 x 1 under a velocity field, for one step.
-struct Cell {
+struct FluidCell {
     testing::SolidBlock block{{1, 1, 1}, {2, 1, 1}, water()};
     State state;
     std::vector<std::unique_ptr<SolidGroup>> groups;
     Clock clock;
 
-    Cell()
+    FluidCell()
     {
         block.set_viscosity(1e-30, 1e-30);
         state = block.state();
@@ -55,7 +55,7 @@ struct Cell {
 /// Volume cycle: pressure -K ln V on the way in, out to the cut-off, and back; nothing is left.
 TEST(ElasticFluid, HasItsBulkModulusAndCavitates)
 {
-    Cell cell;
+    FluidCell cell;
     const auto squeeze = [&](double logarithm) { // slowly: no viscous part
         const double rate = std::expm1(logarithm / 3);
         const Tensor3<double> gradient{rate * 1e-9, 0, 0, 0, rate * 1e-9, 0, 0, 0, rate * 1e-9};
@@ -74,10 +74,10 @@ TEST(ElasticFluid, HasItsTensorViscosity)
     const double factor =
         tensor_viscosity * std::cbrt(2.0) * std::sqrt(water_bulk / water_density) * water_density;
     const double rate = 1e-3, step = 1e-6;
-    Cell sheared;
+    FluidCell sheared;
     const auto shear = sheared.move({0, rate, 0, 0, 0, 0, 0, 0, 0}, step);
     EXPECT_NEAR(shear.xy, factor * 0.5 * rate, 1e-8 * factor * rate);
-    Cell pulled;
+    FluidCell pulled;
     const auto axial = pulled.move({rate, 0, 0, 0, 0, 0, 0, 0, 0}, step);
     const double mean = trace(axial) / 3;
     EXPECT_NEAR(axial.xx - mean, factor * 2 / 3 * rate, 1e-8 * factor * rate);

@@ -11,14 +11,14 @@ namespace plash {
 namespace {
 
 // GPa; after the sand of Sandler & Rubin (1979). The same numbers stand in tests/reference/geologic_cap.py.
-constexpr double bulk = 2.1, shear = 1.7;
+constexpr double cap_bulk = 2.1, cap_shear = 1.7;
 
 GeologicCap cap_model(std::vector<std::pair<const char*, double>> more = {})
 {
     std::vector<std::pair<const char*, double>> fields{
-        {"RO", 2e-6},      {"BULK", bulk}, {"G", shear},      {"ALPHA", 0.0642}, {"THETA", 0.11},
-        {"GAMMA", 0.0576}, {"BETA", 5.4},  {"R", 4.2},        {"D", 6},          {"W", 0.066},
-        {"X0", 0.19},      {"FTYPE", 1},   {"TOFF", -0.0055}, {"PLOT", 1}};
+        {"RO", 2e-6},      {"BULK", cap_bulk}, {"G", cap_shear},  {"ALPHA", 0.0642}, {"THETA", 0.11},
+        {"GAMMA", 0.0576}, {"BETA", 5.4},      {"R", 4.2},        {"D", 6},          {"W", 0.066},
+        {"X0", 0.19},      {"FTYPE", 1},       {"TOFF", -0.0055}, {"PLOT", 1}};
     fields.insert(fields.begin(), more.begin(), more.end()); // the first of a name counts
     return GeologicCap::from_record(make_record("MAT_GEOLOGIC_CAP_MODEL", std::move(fields)), Model{});
 }
@@ -44,10 +44,10 @@ TEST(GeologicCap, CompactsHydrostaticallyAlongItsHardening)
         testing::DrivenPoint point(law);
         point.strain({-0.05 / 3, -0.05 / 3, -0.05 / 3, 0, 0, 0}, steps);
         const double j1 = -trace(point.stress);
-        EXPECT_NEAR(j1 / (3 * bulk) + 0.066 * (1 - std::exp(-6 * (j1 - 0.19))), 0.05, 1e-13) << steps;
+        EXPECT_NEAR(j1 / (3 * cap_bulk) + 0.066 * (1 - std::exp(-6 * (j1 - 0.19))), 0.05, 1e-13) << steps;
         EXPECT_NEAR(law.cap_end(point.history[GeologicCap::kappa]), j1, 1e-12);
         point.strain({0.01 / 3, 0.01 / 3, 0.01 / 3, 0, 0, 0}, 1);
-        EXPECT_NEAR(-trace(point.stress), j1 - 3 * bulk * 0.01, 1e-13);
+        EXPECT_NEAR(-trace(point.stress), j1 - 3 * cap_bulk * 0.01, 1e-13);
     }
 }
 

@@ -12,14 +12,14 @@ namespace plash {
 namespace {
 
 // MPa: a deep drawing steel.
-constexpr double r00 = 1.8, r45 = 1.3, r90 = 2.2, young = 207000, poisson = 0.3, first_yield = 180,
+constexpr double r00 = 1.8, r45 = 1.3, r90 = 2.2, hill_young = 207000, hill_poisson = 0.3, first_yield = 180,
                  hard = 400;
 
 HillSheet sheet(std::vector<std::pair<const char*, double>> more = {})
 {
-    std::vector<std::pair<const char*, double>> fields{{"RO", 7.85e-9}, {"E", young}, {"PR", poisson},
-                                                       {"HR", 1},       {"P1", hard}, {"P2", first_yield},
-                                                       {"R00", r00},    {"R45", r45}, {"R90", r90}};
+    std::vector<std::pair<const char*, double>> fields{
+        {"RO", 7.85e-9},     {"E", hill_young}, {"PR", hill_poisson}, {"HR", 1},   {"P1", hard},
+        {"P2", first_yield}, {"R00", r00},      {"R45", r45},         {"R90", r90}};
     fields.insert(fields.begin(), more.begin(), more.end());
     return HillSheet::from_record(make_record("MAT_HILL_3R", std::move(fields)), Model{});
 }
@@ -74,11 +74,11 @@ Tension pulled(const HillSheet& law, double angle, double strain, int steps)
         zz = attempt(lateral, sheared, history, now);
         stress = now;
         const double e = strain / steps, change = stress.xx - before.xx;
-        width += lateral * e + poisson / young * change; // less the elastic part
-        thickness += zz + poisson / young * change;
+        width += lateral * e + hill_poisson / hill_young * change; // less the elastic part
+        thickness += zz + hill_poisson / hill_young * change;
         work += 0.5 * (stress.xx + before.xx) * e;
     }
-    return {stress.xx, width / thickness, work - 0.5 * stress.xx * stress.xx / young, history[0]};
+    return {stress.xx, width / thickness, work - 0.5 * stress.xx * stress.xx / hill_young, history[0]};
 }
 
 } // namespace
@@ -97,10 +97,10 @@ TEST(HillSheet, HasItsRatiosInTension)
         const double c = std::cos(angle), s = std::sin(angle);
         const double factor = std::sqrt(g * c * c * c * c + f * s * s * s * s +
                                         h * std::pow(c * c - s * s, 2) + 2 * n * c * c * s * s);
-        const double plastic_modulus = young * hard / (young - hard);
+        const double plastic_modulus = hill_young * hard / (hill_young - hard);
         EXPECT_NEAR(factor * end.stress, first_yield + plastic_modulus * end.equivalent, 1e-8) << 45 * i;
         // Equivalent plastic strain is work conjugate: strain - stress / E is q-strain times the factor.
-        EXPECT_NEAR((0.05 - end.stress / young), factor * end.equivalent, 1e-7) << 45 * i;
+        EXPECT_NEAR((0.05 - end.stress / hill_young), factor * end.equivalent, 1e-7) << 45 * i;
     }
 }
 
@@ -109,8 +109,11 @@ TEST(HillSheet, WithoutAnisotropyIsVonMises)
 {
     const HillSheet law = sheet({{"R00", 1}, {"R45", 1}, {"R90", 1}});
     const auto mises = PiecewiseLinearPlasticity::from_record(
-        make_record("MAT_PIECEWISE_LINEAR_PLASTICITY",
-                    {{"RO", 7.85e-9}, {"E", young}, {"PR", poisson}, {"SIGY", first_yield}, {"ETAN", hard}}),
+        make_record("MAT_PIECEWISE_LINEAR_PLASTICITY", {{"RO", 7.85e-9},
+                                                        {"E", hill_young},
+                                                        {"PR", hill_poisson},
+                                                        {"SIGY", first_yield},
+                                                        {"ETAN", hard}}),
         Model{});
     double h[HillSheet::history_size] = {};
     std::array<double, PiecewiseLinearPlasticity::history_size> k = mises.initial_history();

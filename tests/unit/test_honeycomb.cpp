@@ -12,7 +12,7 @@ namespace plash {
 namespace {
 
 // mm, ms, kg, GPa; an aluminium honeycomb, strong along a.
-constexpr double solid_modulus = 69, poisson = 0.33, solid_yield = 0.3, compacted = 0.2;
+constexpr double solid_modulus = 69, solid_poisson = 0.33, solid_yield = 0.3, compacted = 0.2;
 
 Model with_curves()
 {
@@ -28,20 +28,31 @@ Model with_curves()
     return model;
 }
 
-std::vector<std::pair<const char*, double>> card(std::vector<std::pair<const char*, double>> more)
+std::vector<std::pair<const char*, double>> honeycomb_card(std::vector<std::pair<const char*, double>> more)
 {
-    std::vector<std::pair<const char*, double>> fields{
-        {"RO", 5e-8},      {"E", solid_modulus}, {"PR", poisson}, {"SIGY", solid_yield},
-        {"VF", compacted}, {"LCA", 1},           {"LCB", 2},      {"LCC", 2},
-        {"LCS", 3},        {"EAAU", 1.0},        {"EBBU", 0.2},   {"ECCU", 0.2},
-        {"GABU", 0.4},     {"GBCU", 0.1},        {"GCAU", 0.3}};
+    std::vector<std::pair<const char*, double>> fields{{"RO", 5e-8},
+                                                       {"E", solid_modulus},
+                                                       {"PR", solid_poisson},
+                                                       {"SIGY", solid_yield},
+                                                       {"VF", compacted},
+                                                       {"LCA", 1},
+                                                       {"LCB", 2},
+                                                       {"LCC", 2},
+                                                       {"LCS", 3},
+                                                       {"EAAU", 1.0},
+                                                       {"EBBU", 0.2},
+                                                       {"ECCU", 0.2},
+                                                       {"GABU", 0.4},
+                                                       {"GBCU", 0.1},
+                                                       {"GCAU", 0.3}};
     fields.insert(fields.begin(), more.begin(), more.end());
     return fields;
 }
 
 Honeycomb honeycomb(std::vector<std::pair<const char*, double>> more = {})
 {
-    return Honeycomb::from_record(make_record("MAT_HONEYCOMB", card(std::move(more))), with_curves());
+    return Honeycomb::from_record(make_record("MAT_HONEYCOMB", honeycomb_card(std::move(more))),
+                                  with_curves());
 }
 
 /// A point whose axes are turned by an angle about z.
@@ -98,7 +109,7 @@ TEST(Honeycomb, IsASolidWhenCompacted)
     point.strain({-1e-3, -1e-3, -1e-3, 0, 0, 0}, 10);
     const double pressure = -trace(point.stress) / 3;
     point.strain({-1e-3, -1e-3, -1e-3, 0, 0, 0}, 10);
-    const double bulk = solid_modulus / (3 * (1 - 2 * poisson));
+    const double bulk = solid_modulus / (3 * (1 - 2 * solid_poisson));
     EXPECT_NEAR(-trace(point.stress) / 3 - pressure, 3e-3 * bulk, 1e-13);
     point.strain({0, 0, 0, 0.02, 0, 0}, 50);
     EXPECT_NEAR(von_mises_stress(point.stress), solid_yield, 1e-12);
@@ -146,7 +157,7 @@ TEST(Honeycomb, FailsAtItsStrains)
 /// In an element whose side 1-2 points along y (AOPT 0), and that turns by 90 degrees: the axes follow.
 TEST(Honeycomb, AxesComeFromTheNodesAndTurnWithTheElement)
 {
-    testing::SolidBlock block({1, 1, 1}, {1, 1, 1}, make_record("MAT_HONEYCOMB", card({})));
+    testing::SolidBlock block({1, 1, 1}, {1, 1, 1}, make_record("MAT_HONEYCOMB", honeycomb_card({})));
     block.model.curves = with_curves().curves;
     auto& nodes = block.model.solids.nodes[0];
     nodes = {nodes[1], nodes[2], nodes[3], nodes[0], nodes[5], nodes[6], nodes[7], nodes[4]};

@@ -14,7 +14,7 @@ namespace {
 
 // GPa, ms. Sheared by 0.2 at 0.5 / ms beside a volume rate of 0.4 / ms, which shells do not feel. The numbers
 // below come from tests/reference/rates.py, which integrates each law as the manual writes it.
-constexpr double shear = 0.2, shear_rate = 0.5, volume_rate = 0.4;
+constexpr double sheared_by = 0.2, shear_rate = 0.5, volume_rate = 0.4;
 constexpr int steps = 4000;
 
 using Fields = std::vector<std::pair<const char*, double>>;
@@ -25,10 +25,10 @@ Fields with(Fields fields, const Fields& more)
     return fields;
 }
 
-const Fields elastic{{"RO", 7.85e-6}, {"E", 210}, {"PR", 0.3}};
-const Fields bilinear = with(elastic, {{"SIGY", 0.3}, {"ETAN", 1}, {"C", 0.04}, {"P", 5}});
-const Fields power_law = with(elastic, {{"K", 0.5}, {"N", 0.2}, {"SRC", 0.04}, {"SRP", 5}});
-const Fields johnson = with(elastic, {{"A", 0.3}, {"B", 0.4}, {"N", 0.3}, {"C", 0.02}, {"EPSO", 1e-3}});
+const Fields elastic_card{{"RO", 7.85e-6}, {"E", 210}, {"PR", 0.3}};
+const Fields bilinear = with(elastic_card, {{"SIGY", 0.3}, {"ETAN", 1}, {"C", 0.04}, {"P", 5}});
+const Fields power_law = with(elastic_card, {{"K", 0.5}, {"N", 0.2}, {"SRC", 0.04}, {"SRP", 5}});
+const Fields johnson = with(elastic_card, {{"A", 0.3}, {"B", 0.4}, {"N", 0.3}, {"C", 0.02}, {"EPSO", 1e-3}});
 
 /// One curve for both senses of *MAT_124.
 Model with_line()
@@ -46,8 +46,8 @@ void check_solid(const char* keyword, const Fields& card, double stress, double 
 {
     const Law law = Law::from_record(make_record(keyword, card), with_line());
     testing::DrivenPoint<Law> point(law);
-    const double time = shear / shear_rate, third = volume_rate * time / 3;
-    point.strain({third, third, third, 0.5 * shear, 0, 0}, steps, time);
+    const double time = sheared_by / shear_rate, third = volume_rate * time / 3;
+    point.strain({third, third, third, 0.5 * sheared_by, 0, 0}, steps, time);
     EXPECT_NEAR(von_mises_stress(point.stress), stress, 2e-5) << keyword;
     EXPECT_NEAR(point.history[Law::plastic_strain], strain, 1e-6) << keyword;
 }
@@ -58,9 +58,9 @@ void check_shell(const char* keyword, const Fields& card, double stress, double 
 {
     const Law law = Law::from_record(make_record(keyword, card), with_line());
     testing::DrivenPoint<Law> point(law);
-    const double time = shear / shear_rate;
+    const double time = sheared_by / shear_rate;
     for (int i = 0; i < steps; ++i) {
-        SymmetricTensor<double> increment{0, 0, 0, 0.5 * shear / steps, 0, 0};
+        SymmetricTensor<double> increment{0, 0, 0, 0.5 * sheared_by / steps, 0, 0};
         law.update_plane_stress(point.stress, increment, HistoryView<double>{point.history.data()},
                                 time / steps);
         EXPECT_NEAR(increment.zz, 0, 1e-15);
@@ -73,7 +73,8 @@ void check_shell(const char* keyword, const Fields& card, double stress, double 
 
 TEST(Rates, PlasticKinematic003)
 {
-    const Fields card = with(elastic, {{"SIGY", 0.3}, {"ETAN", 1}, {"BETA", 1}, {"SRC", 0.04}, {"SRP", 5}});
+    const Fields card =
+        with(elastic_card, {{"SIGY", 0.3}, {"ETAN", 1}, {"BETA", 1}, {"SRC", 0.04}, {"SRP", 5}});
     check_solid<PlasticKinematic<false>>("MAT_PLASTIC_KINEMATIC", card, 1.071009, 0.111050);
     check_shell<PlasticKinematic<false>>("MAT_PLASTIC_KINEMATIC", card, 1.048229, 0.111144);
     const Fields viscous = with(card, {{"VP", 1}});
@@ -113,8 +114,8 @@ TEST(Rates, PowerLaw018)
         const auto law =
             PiecewiseLinearPlasticity::from_record(make_record("MAT_POWER_LAW_PLASTICITY", card), Model{});
         testing::DrivenPoint point(law);
-        const double time = shear / shear_rate, third = shell ? 0 : volume_rate * time / 3;
-        point.strain({third, third, third, 0.5 * shear, 0, 0}, steps, time);
+        const double time = sheared_by / shear_rate, third = shell ? 0 : volume_rate * time / 3;
+        point.strain({third, third, third, 0.5 * sheared_by, 0, 0}, steps, time);
         EXPECT_NEAR(von_mises_stress(point.stress), stress, 2e-4 * stress);
     };
     check(power_law, false, 0.820099);
@@ -128,8 +129,8 @@ TEST(Rates, SimplifiedJohnsonCook098)
         const auto law =
             PiecewiseLinearPlasticity::from_record(make_record("MAT_SIMPLIFIED_JOHNSON_COOK", card), Model{});
         testing::DrivenPoint point(law);
-        const double time = shear / shear_rate, third = shell ? 0 : volume_rate * time / 3;
-        point.strain({third, third, third, 0.5 * shear, 0, 0}, steps, time);
+        const double time = sheared_by / shear_rate, third = shell ? 0 : volume_rate * time / 3;
+        point.strain({third, third, third, 0.5 * sheared_by, 0, 0}, steps, time);
         EXPECT_NEAR(von_mises_stress(point.stress), stress, 2e-4 * stress);
     };
     check(johnson, false, 0.567401);
@@ -150,7 +151,7 @@ TEST(Rates, JohnsonCook015)
 
 TEST(Rates, CompressionTension124)
 {
-    const Fields card = with(elastic, {{"LCIDC", 1}, {"LCIDT", 1}, {"C", 0.04}, {"P", 5}});
+    const Fields card = with(elastic_card, {{"LCIDC", 1}, {"LCIDT", 1}, {"C", 0.04}, {"P", 5}});
     const char* keyword = "MAT_PLASTICITY_COMPRESSION_TENSION";
     check_solid<CompressionTension>(keyword, card, 1.045079, 0.111157);
     check_shell<CompressionTension>(keyword, card, 1.023193, 0.111247);

@@ -143,7 +143,8 @@ TEST_P(RestartOf, EndsBitIdenticalThoughKilledTwentyTimes)
     std::mt19937 random(20240607);
     std::uniform_real_distribution<double> moment(0, 0.35 * seconds);
     const fs::path broken = folder / "broken";
-    // How many kills fall before the first restart file depends on the machine's load: some more of them, then.
+    // How many kills fall before the first restart file depends on the machine's load: some more of them,
+    // then.
     int restarts = 0;
     for (int kills = 0; kills < 20 || (restarts <= 5 && kills < 200);) {
         const bool restart = has_restart_file(broken);

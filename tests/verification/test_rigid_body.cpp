@@ -26,7 +26,7 @@ State brick_state()
     return state;
 }
 
-const std::vector<Index> brick_nodes{0, 1, 2, 3, 4, 5, 6, 7};
+const std::vector<Index> corners_of_brick{0, 1, 2, 3, 4, 5, 6, 7};
 
 } // namespace
 
@@ -40,7 +40,7 @@ TEST(RigidBodies, FreeTumblingKeepsEnergyAndAngularMomentum)
     for (std::size_t i = 0; i < 8; ++i) state.velocity[i] = cross(spin, state.position[i] - center);
     Model model;
     model.parts.resize(1);
-    RigidBody body = rigid_body_of(0, brick_nodes, state.mass, {}, state, {});
+    RigidBody body = rigid_body_of(0, corners_of_brick, state.mass, {}, state, {});
     RigidBodies bodies(model, {{body}, {0}, {}, {}}, state);
     Clock clock;
     clock.step = 2e-3;
@@ -113,7 +113,7 @@ TEST(RigidBodies, TorqueAboutAFixedAxisGivesTheKnownSpin)
     const FreedomMask only_z_rotation = 7 | 8 | 16;
     BodyFixity fixity;
     fixity.freedoms = only_z_rotation;
-    RigidBody body = rigid_body_of(0, brick_nodes, state.mass, {}, state, fixity);
+    RigidBody body = rigid_body_of(0, corners_of_brick, state.mass, {}, state, fixity);
     RigidBodies bodies(model, {{body}, {0}, {}, {}}, state);
     Clock clock;
     clock.step = 1e-3;

@@ -15,7 +15,6 @@ using testing::DeckRun;
 namespace {
 
 constexpr int count = 10;
-constexpr double pi = std::numbers::pi;
 
 /// A bar of 10 unit cubes along x, or a strip of 10 unit shells 0.1 thick, with E = 100, nu = 0, rho = 1
 /// (wave speed 10); the end at x = 0 is held. `velocity` of each node in the direction of its axis.
@@ -56,7 +55,7 @@ std::string bar(bool shells, const std::string& more, double end_time, double (*
 
 double quarter_sine(double x)
 {
-    return 0.01 * std::sin(0.5 * pi * x);
+    return 0.01 * std::sin(0.5 * std::numbers::pi * x);
 }
 
 /// First bending mode of a cantilever, nearly: the deflection under an end load.
@@ -81,12 +80,12 @@ double decay_in_a_period(const std::vector<double>& values)
 TEST(StiffnessDamping, RayleighsCoefficientGivesItsRatio)
 {
     // First longitudinal mode: omega = pi c / (2 L) = pi / 2; beta = 0.1 gives xi = 0.0785.
-    const double omega = 0.5 * pi, xi = 0.5 * 0.1 * omega;
+    const double omega = 0.5 * std::numbers::pi, xi = 0.5 * 0.1 * omega;
     DeckRun run(bar(false, "*DAMPING_PART_STIFFNESS\n1,-0.1\n", 12, quarter_sine, 'x'));
     std::vector<double> end;
     run.watch([&](const Clock&, const State& state) { end.push_back(state.position[4 * count].x - count); });
     run.go();
-    EXPECT_NEAR(decay_in_a_period(end), std::exp(-2 * pi * xi / std::sqrt(1 - xi * xi)), 0.005);
+    EXPECT_NEAR(decay_in_a_period(end), std::exp(-2 * std::numbers::pi * xi / std::sqrt(1 - xi * xi)), 0.005);
     EXPECT_LT(run.scene->ledger.balance_error(), 1e-3);
     EXPECT_GT(run.scene->ledger.damping, 0.5 * run.scene->ledger.initial_total);
 }
@@ -98,11 +97,11 @@ TEST(StiffnessDamping, ShellsInBending)
     std::ostringstream card;
     card << "*DAMPING_PART_STIFFNESS\n1," << -beta << "\n";
     // The step falls to about h^2 / (2 c^2 beta): a quarter of a period is enough.
-    DeckRun undamped(bar(true, "", 0.27 * 2 * pi / omega, bent, 'z'));
+    DeckRun undamped(bar(true, "", 0.27 * 2 * std::numbers::pi / omega, bent, 'z'));
     std::vector<double> free;
     undamped.watch([&](const Clock&, const State& state) { free.push_back(state.position[2 * count].z); });
     undamped.go();
-    DeckRun run(bar(true, card.str(), 0.27 * 2 * pi / omega, bent, 'z'));
+    DeckRun run(bar(true, card.str(), 0.27 * 2 * std::numbers::pi / omega, bent, 'z'));
     std::vector<double> end;
     run.watch([&](const Clock&, const State& state) { end.push_back(state.position[2 * count].z); });
     run.go();
