@@ -86,6 +86,7 @@ void FacingSegments::clear()
 {
     now_.clear();
     before_.clear();
+    for (Pair& pair : pairs_) pair.touch = none;
 }
 
 Vec3 FacingSegments::normal_of(const ContactMotion& motion, Index facet) const
@@ -165,7 +166,11 @@ void FacingSegments::search(const ContactMotion& motion)
                 others.push_back(b);
             });
             std::sort(others.begin(), others.end());
-            for (Index b : others) found[begin / chunk_length].push_back({a, b, 0});
+            for (Index b : others) {
+                const FacingTouch* touch = touch_between(now_, a, b);
+                const Index place = touch ? static_cast<Index>(touch - now_.data()) : none;
+                found[begin / chunk_length].push_back({a, b, 0, place});
+            }
         }
     });
     pairs_.clear();
@@ -235,14 +240,14 @@ double FacingSegments::areal_stiffness(Index a, Index b, double step) const
     return scale * first * second / (first + second) / (step * step);
 }
 
-const FacingTouch* FacingSegments::old_touch(Index a, Index b) const
+const FacingTouch* FacingSegments::touch_between(const std::vector<FacingTouch>& touches, Index a, Index b)
 {
     const std::pair<Index, Index> key = std::minmax(a, b);
-    const auto found = std::lower_bound(before_.begin(), before_.end(), key,
+    const auto found = std::lower_bound(touches.begin(), touches.end(), key,
                                         [](const FacingTouch& touch, const auto& wanted) {
                                             return std::pair(touch.first, touch.second) < wanted;
                                         });
-    const bool there = found != before_.end() && std::pair(found->first, found->second) == key;
+    const bool there = found != touches.end() && std::pair(found->first, found->second) == key;
     return there ? &*found : nullptr;
 }
 
@@ -254,7 +259,7 @@ const FacingTouch* FacingSegments::old_beside(Index a, Index b, const Vec3& dire
     const FacingTouch* best = nullptr;
     double nearest = 0.5;
     const auto look = [&](Index x, Index y, bool swapped) {
-        const FacingTouch* old = old_touch(x, y);
+        const FacingTouch* old = touch_between(before_, x, y);
         if (!old) return;
         const double along = std::abs(dot(old->normal, direction));
         if (along <= nearest) return;
@@ -283,11 +288,13 @@ Friction FacingSegments::friction_of(Index a, Index b) const
             0.5 * (first.decay + second.decay), 0.5 * (first.shear_cap + second.shear_cap)};
 }
 
-bool FacingSegments::touch_of(const ContactMotion& motion, double step, Pair& pair, FacingTouch& touch) const
+/// old  the touch of this pair in the last cycle, or nullptr
+bool FacingSegments::touch_of(const ContactMotion& motion, double step, Pair& pair, const FacingTouch* old,
+                              FacingTouch& touch) const
 {
     const PressFacet &a = mesh_.facets[pair.first], &b = mesh_.facets[pair.second];
     const auto at_a = corners_of(motion, a), at_b = corners_of(motion, b);
-    const Vec3 to_a = normal_of(motion, pair.first), to_b = normal_of(motion, pair.second);
+    const Vec3 &to_a = normals_[pair.first], &to_b = normals_[pair.second];
     const Vec3 middle_a = middle_of(at_a), middle_b = middle_of(at_b);
     const double reach = reach_of(a, b);
     const PlaneDistance off(at_a, middle_b, to_b), warp(at_b, middle_b, to_b);
@@ -297,11 +304,13 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, Pair& pa
     const double along = dot(to_a, to_b);
     if (a.one_sided && b.one_sided && along > 0) return false;
     const double weight = facing_weight(std::abs(along));
-    const FacingTouch* old = old_touch(pair.first, pair.second);
     if (weight == 0 && !old) return false;
-    const double first_extent = std::pow(extent_[pair.first], 4),
-                 second_extent = std::pow(extent_[pair.second], 4);
+    const auto fourth_power = [](double x) { return x * x * (x * x); };
+    const double first_extent = fourth_power(extent_[pair.first]),
+                 second_extent = fourth_power(extent_[pair.second]);
     Vec3 normal = unit(second_extent * to_b + (along < 0 ? -first_extent : first_extent) * to_a);
+    const double gap = a.half_thickness + b.half_thickness, depth = std::max(a.depth, b.depth);
+    if (SegmentOverlap::apart(at_a, at_b, normal, gap, depth)) return false;
     bool fixed = a.one_sided || b.one_sided;
     if (a.one_sided ? dot(normal, to_a) > 0 : b.one_sided && dot(normal, to_b) < 0) normal = -normal;
     bool turned = false;
@@ -315,7 +324,6 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, Pair& pa
     } else if (dot(middle_a - middle_b, normal) < 0) {
         normal = -normal;
     }
-    const double gap = a.half_thickness + b.half_thickness;
     std::optional<SegmentOverlap> overlap(std::in_place, at_a, at_b, normal, gap);
     if (overlap->empty()) return false;
     if (!fixed) { // shells that meet: the side on which they were a step ago
@@ -333,7 +341,7 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, Pair& pa
     }
     touch.penetration = overlap->deepest();
     const double distance = gap - touch.penetration;
-    if (touch.penetration <= 0 || distance < -std::max(a.depth, b.depth)) return false;
+    if (touch.penetration <= 0 || distance < -depth) return false;
     touch.first = pair.first;
     touch.second = pair.second;
     touch.normal = normal;
@@ -355,7 +363,7 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, Pair& pa
         const double approach = path > 1e-9 * a.size ? path : 0;
         const bool sided = a.one_sided || b.one_sided;
         if (sided && motion.last_step > 0 && distance < 0 &&
-            distance + motion.last_step * closing < -0.1 * std::max(a.depth, b.depth))
+            distance + motion.last_step * closing < -0.1 * depth)
             return false; // they come from within
         touch.baseline = std::max(0.0, not_deeper - 1.5 * approach);
         touch.rounding = approach;
@@ -409,19 +417,35 @@ double FacingSegments::find(const ContactMotion& motion, double step)
     std::swap(now_, before_);
     now_.clear();
     const double now = motion.travelled + motion.step_range;
-    std::vector<std::vector<FacingTouch>> found((pairs_.size() + chunk_length - 1) / chunk_length);
+    normals_.resize(mesh_.facets.size());
+    for_chunks(pairs_.empty() ? 0 : normals_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (mesh_.facets[i].exposed) normals_[i] = normal_of(motion, static_cast<Index>(i));
+        }
+    });
+    struct Found {
+        std::size_t pair;
+        FacingTouch touch;
+    };
+    std::vector<std::vector<Found>> found((pairs_.size() + chunk_length - 1) / chunk_length);
     for_chunks(pairs_.size(), [&](std::size_t begin, std::size_t end) {
         auto& touches = found[begin / chunk_length];
         for (std::size_t i = begin; i < end; ++i) {
-            if (pairs_[i].due > now) continue;
+            Pair& pair = pairs_[i];
+            const FacingTouch* old = pair.touch == none ? nullptr : &before_[pair.touch];
+            pair.touch = none;
+            if (pair.due > now) continue;
             FacingTouch touch;
-            if (touch_of(motion, step, pairs_[i], touch)) touches.push_back(touch);
+            if (touch_of(motion, step, pair, old, touch)) touches.push_back({i, touch});
         }
     });
     double loss = 0;
     for (const auto& touches : found) {
-        now_.insert(now_.end(), touches.begin(), touches.end());
-        for (const FacingTouch& touch : touches) loss += touch.friction_loss;
+        for (const Found& one : touches) {
+            pairs_[one.pair].touch = static_cast<Index>(now_.size());
+            now_.push_back(one.touch);
+            loss += one.touch.friction_loss;
+        }
     }
     return loss;
 }

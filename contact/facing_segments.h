@@ -78,7 +78,8 @@ public:
 private:
     struct Pair {
         Index first = none, second = none;
-        double due = 0; ///< path before which they cannot touch [length]
+        double due = 0;     ///< path before which they cannot touch [length]
+        Index touch = none; ///< its place among the touches of the last cycle
     };
     const ContactMesh& mesh_;
     Options options_;
@@ -90,6 +91,7 @@ private:
     double test_due_ = 0;
     std::vector<std::uint8_t> sharp_;
     std::vector<double> extent_; ///< by facet: how far it is from the next rim or sharp edge [length]
+    std::vector<Vec3> normals_;  ///< by facet, at n
     std::vector<FacingTouch> now_, before_; ///< in the order of pairs
     long searches_ = 0;
 
@@ -99,9 +101,10 @@ private:
     void find_sharp_nodes(const ContactMotion& motion);
     void find_extents();
     double areal_stiffness(Index a, Index b, double step) const;
-    const FacingTouch* old_touch(Index a, Index b) const;
+    static const FacingTouch* touch_between(const std::vector<FacingTouch>& touches, Index a, Index b);
     const FacingTouch* old_beside(Index a, Index b, const Vec3& direction, bool& turned) const;
-    bool touch_of(const ContactMotion& motion, double step, Pair& pair, FacingTouch& touch) const;
+    bool touch_of(const ContactMotion& motion, double step, Pair& pair, const FacingTouch* old,
+                  FacingTouch& touch) const;
     void apply_law(const ContactMotion& motion, double stiffness, const SegmentOverlap& overlap,
                    FacingTouch& touch) const;
     Friction friction_of(Index a, Index b) const;

@@ -53,6 +53,25 @@ SegmentOverlap::SegmentOverlap(const Corners& first, const Corners& second, cons
     }
 }
 
+bool SegmentOverlap::apart(const Corners& first, const Corners& second, const Vec3& normal, double gap,
+                           double depth)
+{
+    const auto clear = [&](const Vec3& axis, double above, double below) {
+        double first_low = 1e300, first_high = -1e300, second_low = 1e300, second_high = -1e300;
+        for (int i = 0; i < 4; ++i) {
+            const double a = dot(first[i], axis), b = dot(second[i], axis);
+            first_low = std::min(first_low, a);
+            first_high = std::max(first_high, a);
+            second_low = std::min(second_low, b);
+            second_high = std::max(second_high, b);
+        }
+        return first_low > second_high + above || second_low > first_high + below;
+    };
+    if (clear(normal, gap, std::max(gap, depth))) return true;
+    const auto [along, beside] = across(normal);
+    return clear(along, 0, 0) || clear(beside, 0, 0);
+}
+
 /// The shadow of the first segment, cut by the sides of the second one after the other.
 void SegmentOverlap::clip()
 {

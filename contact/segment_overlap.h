@@ -34,6 +34,12 @@ public:
     /// normal   unit, from the second segment to the first
     SegmentOverlap(const Corners& first, const Corners& second, const Vec3& normal, double gap);
 
+    /// Whether boxes around the two segments, one edge along `normal`, are apart: beside one another, or by
+    /// more than `gap` one way or `depth` and `gap` the other way along it. Much cheaper than looking for an
+    /// overlap.
+    static bool apart(const Corners& first, const Corners& second, const Vec3& normal, double gap,
+                      double depth);
+
     bool empty() const { return count_ == 0; }
     /// Areas of the two shadows [area].
     double first_area() const { return first_.area; }

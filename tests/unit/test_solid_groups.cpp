@@ -263,9 +263,9 @@ TEST(SolidGroups, FailedElementsLeaveTheirEnergyBehind)
 TEST(SolidGroups, RefuseWhatIsNotThereByName)
 {
     {
-        SolidBlock block({1, 1, 1}, {1, 1, 1}, record_of("MAT_GEOLOGIC_CAP_MODEL", 5, {{"RO", 1}}));
+        SolidBlock block({1, 1, 1}, {1, 1, 1}, record_of("MAT_CONCRETE_DAMAGE_REL3", 5, {{"RO", 1}}));
         EXPECT_NE(
-            refusal(block.model).find("*MAT_GEOLOGIC_CAP_MODEL 5 is not supported for the solids of part 1"),
+            refusal(block.model).find("*MAT_CONCRETE_DAMAGE_REL3 5 is not supported for the solids of part 1"),
             std::string::npos);
     }
     {

@@ -80,6 +80,8 @@ TEST(Springs, WithAClearanceCarryCompressionAloneOnceItIsClosed)
 
     Model towards = oscillator(make_record("MAT_SPRING_ELASTIC", {{"K", 4}}), {{"CL", 0.5}}, 1);
     towards.initial_velocities[0].translation = {-1, 0, 0};
+    // The step in which the gap closes or opens leaves up to k (v dt)^2 / 8 unbalanced: 4e-4 of the energy.
+    towards.controls.time.step_scale = 0.02;
     towards.controls.time.end_time =
         0.5 + 0.5 * std::numbers::pi + 0.2; // there, half a period of omega = 2, back
     Scene caught = make_scene(towards);
@@ -90,7 +92,7 @@ TEST(Springs, WithAClearanceCarryCompressionAloneOnceItIsClosed)
     run(caught, recorders);
     EXPECT_NEAR(nearest, 10 - 0.5 - 0.5, 2e-3); // v / omega beyond the gap
     EXPECT_NEAR(caught.state.velocity[1].x, 1, 2e-3);
-    EXPECT_LT(caught.ledger.balance_error(), 2e-3);
+    EXPECT_LT(caught.ledger.balance_error(), 4e-4);
 }
 
 TEST(Springs, DampersTakeTheEnergyThatTheBookShows)
