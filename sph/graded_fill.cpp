@@ -2,11 +2,11 @@
 
 #include "materials/principal_axes.h"
 #include "sph/cells.h"
+#include "sph/images.h"
 #include "sph/kernels.h"
 #include "sph/neighbours.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -17,59 +17,59 @@ namespace {
 constexpr double smoothing_ratio = 1.3; ///< of the smoothing length to the spacing
 constexpr double support = 2;           ///< of the kernel, in smoothing lengths
 
-using Axes = double Vec3::*;
-constexpr Axes axes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
-
 double volume_of(const Box& box)
 {
     const Vec3 edges = box.high - box.low;
     return edges.x * edges.y * edges.z;
 }
 
+/// The faces of a box, as particles in it see them.
+std::vector<MirrorPlane> faces_of(const Box& box)
+{
+    return {{box.low, {1, 0, 0}, false, {}}, {box.high, {-1, 0, 0}, false, {}},
+            {box.low, {0, 1, 0}, false, {}}, {box.high, {0, -1, 0}, false, {}},
+            {box.low, {0, 0, 1}, false, {}}, {box.high, {0, 0, -1}, false, {}}};
+}
+
 /// Particles in sorted order, and behind them their mirror images at the faces of the box.
 class PackedParticles {
 public:
-    PackedParticles(const GradedFill& fill, std::vector<Vec3> position) : fill_(fill)
+    PackedParticles(const GradedFill& fill, const std::vector<Vec3>& position)
+        : fill_(fill), images_(faces_of(fill.box), {})
     {
-        for (const Vec3& p : position) records_.push_back({p, 0, {}, 0});
-        count_ = position.size();
+        for (const Vec3& p : position) arrays_.motion.push_back({p, 0, {}, 0});
+        arrays_.node.resize(position.size());
         set_volumes();
     }
 
-    std::size_t count() const { return count_; }
-    const std::vector<MotionRecord>& records() const { return records_; } ///< weight: volume
-    double spacing(std::size_t i) const { return records_[i].smoothing / smoothing_ratio; }
+    std::size_t count() const { return arrays_.node.size(); }
+    const std::vector<MotionRecord>& records() const { return arrays_.motion; } ///< weight: volume
+    double spacing(std::size_t i) const { return records()[i].smoothing / smoothing_ratio; }
 
     /// Sorts the particles, finds their images and lists neighbours up to `margin` beyond their kernels.
     void search(double margin)
     {
-        records_.resize(count_);
-        double reach = 0;
-        for (const MotionRecord& p : records_) reach = std::max(reach, (support + margin) * p.smoothing);
-        find_images(reach);
+        std::vector<MotionRecord>& motion = arrays_.motion;
+        motion.resize(count());
         std::vector<Vec3> position;
-        for (const MotionRecord& p : records_) position.push_back(p.position);
-        for (const Image& image : images_) position.push_back(shown(image, position[image.source]));
+        double reach = 0;
+        for (const MotionRecord& p : motion) {
+            position.push_back(p.position);
+            reach = std::max(reach, (support + margin) * p.smoothing);
+        }
+        images_.find(reach, position);
         ParticleCells cells;
-        cells.sort(position, reach, count_);
-
-        std::vector<Index> place(count_);
-        std::vector<MotionRecord> sorted;
-        for (std::size_t p = 0; p < count_; ++p) {
-            place[cells.order()[p]] = static_cast<Index>(p);
-            sorted.push_back(records_[cells.order()[p]]);
-        }
-        std::vector<Image> images;
-        for (std::size_t p = count_; p < position.size(); ++p) {
-            images.push_back(images_[cells.order()[p] - count_]);
-            images.back().source = place[images.back().source];
-        }
-        records_ = std::move(sorted);
-        images_ = std::move(images);
-        show_images();
-        const std::vector<std::uint8_t> asleep(count_, 0);
-        const std::vector<float> skin(records_.size(), 0);
-        build_neighbours(cells, {records_, skin, support + margin, asleep, {}, {}}, runs_);
+        cells.sort(position, reach, count());
+        std::vector<MotionRecord> sorted(position.size());
+        for (std::size_t p = 0; p < count(); ++p) sorted[p] = motion[cells.order()[p]];
+        motion = std::move(sorted);
+        arrays_.part.assign(motion.size(), 0);
+        arrays_.image.assign(motion.size(), no_image);
+        images_.settle(cells.order(), arrays_);
+        images_.refresh_motion(arrays_);
+        const std::vector<std::uint8_t> asleep(count(), 0);
+        const std::vector<float> skin(motion.size(), 0);
+        build_neighbours(cells, {motion, skin, support + margin, asleep, {}, {}}, runs_);
     }
 
     /// pair(a, b) for every particle a and every neighbour b of it.
@@ -98,83 +98,38 @@ public:
     void move(const std::vector<Vec3>& by)
     {
         const Vec3 edges = fill_.box.high - fill_.box.low;
-        for (std::size_t i = 0; i < count_; ++i) {
-            Vec3& p = records_[i].position;
+        for (std::size_t i = 0; i < count(); ++i) {
+            Vec3& p = arrays_.motion[i].position;
             p += by[i];
-            for (Axes axis : axes) {
+            for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
                 const double inset = 1e-6 * edges.*axis;
                 p.*axis = std::clamp(p.*axis, fill_.box.low.*axis + inset, fill_.box.high.*axis - inset);
             }
         }
         set_volumes();
-        show_images();
+        images_.refresh_motion(arrays_);
     }
 
 private:
-    /// A copy of a particle, mirrored at the lower (-1) or upper (1) face along each axis, or not (0).
-    struct Image {
-        Index source;
-        std::array<int, 3> face;
-    };
-
     const GradedFill& fill_;
-    std::size_t count_ = 0;
-    std::vector<MotionRecord> records_;
-    std::vector<Image> images_;
+    Images images_;
+    ParticleArrays arrays_; ///< motion alone, and what images ask for
     std::vector<NeighbourRun> runs_;
 
     void set_volumes()
     {
         double sum = 0;
-        for (std::size_t i = 0; i < count_; ++i) {
-            const double spacing = fill_.spacing_at(records_[i].position);
-            records_[i].weight = spacing * spacing * spacing;
-            sum += records_[i].weight;
+        for (std::size_t i = 0; i < count(); ++i) {
+            MotionRecord& record = arrays_.motion[i];
+            const double spacing = fill_.spacing_at(record.position);
+            record.weight = spacing * spacing * spacing;
+            sum += record.weight;
         }
         const double scale = volume_of(fill_.box) / sum;
-        for (std::size_t i = 0; i < count_; ++i) {
-            records_[i].weight *= scale;
-            records_[i].smoothing = smoothing_ratio * std::cbrt(records_[i].weight);
-        }
-    }
-
-    void find_images(double reach)
-    {
-        images_.clear();
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::size_t known = images_.size(); // edges and corners: images of images
-            const auto add = [&](Index source, std::array<int, 3> face) {
-                const double x = records_[source].position.*axes[axis];
-                for (int side : {-1, 1}) {
-                    const double at = side < 0 ? fill_.box.low.*axes[axis] : fill_.box.high.*axes[axis];
-                    if (std::abs(x - at) >= reach) continue;
-                    face[axis] = side;
-                    images_.push_back({source, face});
-                }
-            };
-            for (std::size_t i = 0; i < count_; ++i) add(static_cast<Index>(i), {});
-            for (std::size_t k = 0; k < known; ++k) add(images_[k].source, images_[k].face);
-        }
-    }
-
-    Vec3 shown(const Image& image, Vec3 position) const
-    {
-        for (int axis = 0; axis < 3; ++axis) {
-            if (image.face[axis] == 0) continue;
-            const double at = image.face[axis] < 0 ? fill_.box.low.*axes[axis] : fill_.box.high.*axes[axis];
-            position.*axes[axis] = 2 * at - position.*axes[axis];
-        }
-        return position;
-    }
-
-    void show_images()
-    {
-        records_.resize(count_);
-        records_.reserve(count_ + images_.size());
-        for (const Image& image : images_) {
-            MotionRecord record = records_[image.source];
-            record.position = shown(image, record.position);
-            records_.push_back(record);
+        for (std::size_t i = 0; i < count(); ++i) {
+            MotionRecord& record = arrays_.motion[i];
+            record.weight *= scale;
+            record.smoothing = smoothing_ratio * std::cbrt(record.weight);
         }
     }
 };
