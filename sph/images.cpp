@@ -1,6 +1,7 @@
 #include "sph/images.h"
 
 #include "core/parallel.h"
+#include "sph/absorption.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,21 @@ void turn_tension(const Matrix3& turn, Index source, Index place, ParticleArrays
     arrays.push[place].push = shown.row[2].z;
 }
 
+/// How the velocity of a particle changes along a direction, as its image sees it [1/time]. Where no
+/// gradients are kept, only the component along it, as if all of the change of density came from there.
+Vec3 slope_along(const Vec3& outward, const Matrix3& turn, Index source, const ParticleArrays& arrays)
+{
+    if (arrays.gradient.empty()) {
+        const double closing =
+            arrays.own_mass.empty() ? arrays.rate[source] / arrays.density[source] : arrays.rate[source];
+        return -closing * outward;
+    }
+    const Tensor3<double>& g = arrays.gradient[source];
+    const Vec3 n = transpose(turn) * outward;
+    return turn * Vec3{g.xx * n.x + g.xy * n.y + g.xz * n.z, g.yx * n.x + g.yy * n.y + g.yz * n.z,
+                       g.zx * n.x + g.zy * n.y + g.zz * n.z};
+}
+
 } // namespace
 
 Images::Images(std::span<const MirrorPlane> mirrors, std::span<const PeriodicPair> periods)
@@ -36,26 +52,49 @@ Images::Images(std::span<const MirrorPlane> mirrors, std::span<const PeriodicPai
     for (const PeriodicPair& pair : periods_) {
         first_lower_.push_back(pair.lower);
         const Vec3 along = unit(pair.period);
-        steps_.push_back({{pair.lower, along, identity, pair.period, identity, {}},
-                          {pair.lower + pair.period, -along, identity, -pair.period, identity, {}}});
+        steps_.push_back(
+            {{pair.lower, along, identity, pair.period, identity, identity, {}},
+             {pair.lower + pair.period, -along, identity, -pair.period, identity, identity, {}}});
     }
     for (const MirrorPlane& plane : mirrors_) {
         const Matrix3 turn = identity + dyad(-2.0 * plane.normal, plane.normal);
         const Vec3 shift = 2 * dot(plane.point, plane.normal) * plane.normal;
         const Matrix3 back{{-identity.row[0], -identity.row[1], -identity.row[2]}};
-        if (plane.no_slip) {
-            steps_.push_back({{plane.point, plane.normal, turn, shift, back, 2.0 * plane.velocity}});
+        if (plane.absorbing) {
+            steps_.push_back({{plane.point, plane.normal, turn, shift, identity, identity, {}, true}});
+        } else if (plane.no_slip) {
+            steps_.push_back({{plane.point, plane.normal, turn, shift, turn, back, 2.0 * plane.velocity}});
         } else {
-            steps_.push_back({{plane.point, plane.normal, turn, shift, turn, {}}});
+            steps_.push_back({{plane.point, plane.normal, turn, shift, turn, turn, {}}});
         }
     }
+}
+
+bool Images::any_absorbing() const
+{
+    return std::any_of(mirrors_.begin(), mirrors_.end(),
+                       [](const MirrorPlane& plane) { return plane.absorbing; });
 }
 
 Index Images::transform_after(Index first, const Step& step)
 {
     const Transform& before = transforms_[first];
-    const Transform both{step.turn * before.turn, step.turn * before.shift + step.shift,
-                         step.drag * before.drag, step.drag * before.carry + step.carry};
+    Transform both{step.turn * before.turn,
+                   step.turn * before.shift + step.shift,
+                   step.flow * before.flow,
+                   step.drag * before.drag,
+                   step.drag * before.carry + step.carry,
+                   before.planes,
+                   {},
+                   {}};
+    for (int i = 0; i < before.planes; ++i) {
+        both.outward[i] = step.absorbing ? before.outward[i] : step.turn * before.outward[i];
+        both.point[i] = step.absorbing ? before.point[i] : step.turn * before.point[i] + step.shift;
+    }
+    if (step.absorbing && both.planes < 3) {
+        both.outward[both.planes] = -step.normal;
+        both.point[both.planes++] = step.point;
+    }
     for (std::size_t i = 0; i < transforms_.size(); ++i) {
         const Transform& known = transforms_[i];
         if (same(known.turn, both.turn) && norm(known.shift - both.shift) <= 1e-12 * norm(both.shift)) {
@@ -158,7 +197,10 @@ void Images::refresh_motion(ParticleArrays& arrays) const
             const MotionRecord& source = arrays.motion[images_[k].source];
             const Transform& transform = transforms_[images_[k].transform];
             arrays.motion[first + k] = {transform.turn * source.position + transform.shift, source.smoothing,
-                                        transform.turn * source.velocity, source.weight};
+                                        transform.flow * source.velocity, source.weight};
+            if (transform.planes > 0) {
+                carry_on(transform, images_[k].source, static_cast<Index>(first + k), arrays);
+            }
         }
     });
 }
@@ -176,10 +218,46 @@ void Images::refresh_all(ParticleArrays& arrays) const
             arrays.push[first + k] = arrays.push[from];
             if (!arrays.laminar.empty()) arrays.laminar[first + k] = arrays.laminar[from];
             if (!arrays.tension.empty()) {
-                turn_tension(transform.turn, from, static_cast<Index>(first + k), arrays);
+                turn_tension(transform.flow, from, static_cast<Index>(first + k), arrays);
             }
+            if (transform.planes > 0) absorb(transform, from, static_cast<Index>(first + k), arrays);
         }
     });
+}
+
+/// Velocities of images that let waves out: those of their originals, linearly on.
+void Images::carry_on(const Transform& transform, Index source, Index place, ParticleArrays& arrays) const
+{
+    MotionRecord& image = arrays.motion[place];
+    for (int i = 0; i < transform.planes; ++i) {
+        const double further = 2 * dot(image.position - transform.point[i], transform.outward[i]);
+        image.velocity += further * slope_along(transform.outward[i], transform.flow, source, arrays);
+    }
+}
+
+/// Pushes of images that let waves out: see sph/absorption.h.
+void Images::absorb(const Transform& transform, Index source, Index place, ParticleArrays& arrays) const
+{
+    PushRecord& push = arrays.push[place];
+    const MotionRecord& original = arrays.motion[source];
+    const Vec3 velocity = transform.flow * (original.velocity - arrays.rest_velocity[source]);
+    carry_on(transform, source, place, arrays);
+    const bool by_volume = !arrays.own_mass.empty();
+    const double density = by_volume ? push.scale : 1 / push.scale;
+    const Index part = arrays.part[source];
+    const Impedance impedance{density * push.sound,
+                              shear_sound_.empty() ? 0 : density * push.sound * shear_sound_[part],
+                              arrays.rest_pressure[source], by_volume ? 1 : push.scale * push.scale};
+    for (int i = 0; i < transform.planes; ++i) {
+        const Vec3& outward = transform.outward[i];
+        const double further = 2 * dot(arrays.motion[place].position - transform.point[i], outward);
+        const Vec3 ahead = velocity + 0.5 * further * slope_along(outward, transform.flow, source, arrays);
+        if (arrays.tension.empty()) {
+            push.push = absorbing_push(push.push, impedance, outward, ahead);
+        } else {
+            absorb_tension(arrays.tension[place], push.push, impedance, outward, ahead);
+        }
+    }
 }
 
 void Images::reflect_passed(ParticleArrays& arrays, State& state) const
@@ -189,6 +267,7 @@ void Images::reflect_passed(ParticleArrays& arrays, State& state) const
         const Index place = image.source;
         const Index node = arrays.node[place];
         for (const MirrorPlane& mirror : mirrors_) {
+            if (mirror.absorbing) continue;
             const double gap = dot(state.position[node] - mirror.point, mirror.normal);
             if (gap >= 0) continue;
             state.position[node] -= 2 * gap * mirror.normal;

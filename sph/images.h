@@ -15,6 +15,9 @@ struct MirrorPlane {
     Vec3 normal{};        ///< unit, pointing to the particles
     bool no_slip = false; ///< images move so that the fluid sticks to the wall, as viscosity sees it
     Vec3 velocity{};      ///< of the wall in its own plane, with no_slip [velocity]
+    /// No wall: waves go out through it (*BOUNDARY_SPH_NON_REFLECTING), and so do particles
+    /// (sph/absorption.h).
+    bool absorbing = false;
 
     Vec3 reflected(const Vec3& direction) const { return direction - 2 * dot(direction, normal) * normal; }
 };
@@ -36,6 +39,15 @@ public:
     Images(std::span<const MirrorPlane> mirrors, std::span<const PeriodicPair> periods);
 
     bool any() const { return !steps_.empty(); }
+    bool any_absorbing() const; ///< whether waves leave through one of the planes
+    /// by part of the body: speed of shear waves over that of longitudinal ones [-]
+    void set_shear_sounds(std::vector<double> by_part) { shear_sound_ = std::move(by_part); }
+    /// Whether the image that stands `number` places behind the particles lets waves out.
+    bool absorbs(std::size_t number) const { return transforms_[images_[number].transform].planes > 0; }
+    /// Sorted place of its original, and how its velocity follows from that of the original, what is carried
+    /// on left out.
+    Index source(std::size_t number) const { return images_[number].source; }
+    const Matrix3& flow(std::size_t number) const { return transforms_[images_[number].transform].flow; }
 
     /// Moves the planes of the pairs that follow a node to where the node is. Returns by how far the farthest
     /// one has moved [length].
@@ -76,14 +88,20 @@ private:
         Vec3 point{}, normal{}; ///< of the boundary; sources stand within the range on the normal's side
         Matrix3 turn;           ///< reflection, or identity
         Vec3 shift{};           ///< position -> turn * position + shift
+        Matrix3 flow;           ///< velocity -> flow * velocity, as continuity sees it
         Matrix3 drag;           ///< velocity -> drag * velocity + carry, as viscosity sees it
         Vec3 carry{};
+        bool absorbing = false;
     };
     struct Transform {
         Matrix3 turn = Matrix3::identity();
         Vec3 shift{};
+        Matrix3 flow = Matrix3::identity();
         Matrix3 drag = Matrix3::identity();
         Vec3 carry{};
+        int planes = 0;    ///< absorbing ones that it goes through
+        Vec3 outward[3]{}; ///< their unit normals, away from the particles, as the image sees them
+        Vec3 point[3]{};   ///< and a point of each
     };
     std::vector<MirrorPlane> mirrors_;
     std::vector<PeriodicPair> periods_;
@@ -91,9 +109,12 @@ private:
     std::vector<std::vector<Step>> steps_; ///< by boundary; steps of one boundary do not build on each other
     std::vector<Transform> transforms_;    ///< the first one is the identity
     std::vector<Image> images_;            ///< once settled as they stand behind the particles
+    std::vector<double> shear_sound_;      ///< by part of the body; may be empty
 
     Vec3 lower_now(std::size_t pair, const State& state, const std::vector<Vec3>& start) const;
     Index transform_after(Index first, const Step& step);
+    void carry_on(const Transform& transform, Index source, Index place, ParticleArrays& arrays) const;
+    void absorb(const Transform& transform, Index source, Index place, ParticleArrays& arrays) const;
 };
 
 } // namespace plash

@@ -45,6 +45,10 @@ struct ParticleArrays {
     std::vector<double> energy;       ///< internal energy by initial volume [energy/volume]
     std::vector<Vector3<float>> viscous_force; ///< share of viscosity in the last force [force]
     std::vector<float> heat;                   ///< its heating power [energy/time]
+    // Only of bodies with boundaries that let waves out.
+    std::vector<double> rest_pressure; ///< at the start [stress]
+    std::vector<Vec3> rest_velocity;   ///< likewise [velocity]
+
     std::vector<Vec3> drift; ///< of the particles against their velocity; empty without [velocity]
 
     // Only of bodies whose push is a tensor.
@@ -70,8 +74,9 @@ struct ParticleArrays {
     void serialise(Archive& archive)
     {
         archive(motion, push, particle, node, part, image, asleep, own_mass, density, rate, diffusion,
-                pressure, energy, viscous_force, heat, laminar, drift, tension, gradient, correction, stress,
-                history, skin, build_origin, build_rounding, build_position, build_smoothing);
+                pressure, energy, viscous_force, heat, laminar, rest_pressure, rest_velocity, drift, tension,
+                gradient, correction, stress, history, skin, build_origin, build_rounding, build_position,
+                build_smoothing);
     }
 };
 

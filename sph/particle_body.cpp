@@ -59,12 +59,21 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
         for (std::size_t i = 0; i < part.nodes.size(); ++i) state.mass[part.nodes[i]] += part.mass[i];
         real_count_ += part.nodes.size();
     }
+    inflows_ = Inflows(options_.inflows, model_, state);
     create(state);
+    if (images_.any_absorbing()) {
+        std::vector<double> shear_sounds;
+        for (const ParticlePart& part : parts_) shear_sounds.push_back(part.law->shear_sound());
+        images_.set_shear_sounds(std::move(shear_sounds));
+        arrays_.rest_pressure.resize(real_count_);
+        for (const MotionRecord& motion : arrays_.motion) arrays_.rest_velocity.push_back(motion.velocity);
+    }
     if (viscous && options_.laminar_by_velocity) arrays_.laminar.resize(real_count_);
     search(state);
     if (tensor_) sum_rates({}); // for the correction of the first forces
     apply_laws(0, sleepers_);
     apply_laws(0, places_);
+    if (images_.any_absorbing()) arrays_.rest_pressure = arrays_.pressure;
 }
 
 /// All particles in the order of parts and their nodes, before the first search sorts them.
@@ -119,6 +128,7 @@ void ParticleBody::add_forces(const Clock& clock, State& state)
     vote_ = {};
     if (clock.time < options_.birth || clock.time > options_.death) return;
     read_motion(clock, state);
+    add_absorbed_work(0.5 * clock.last_step);
     if (!lists_hold(state) || anyone_leaves()) search(state);
     ++cycles_since_search_;
     images_.refresh_motion(arrays_);
@@ -130,6 +140,8 @@ void ParticleBody::add_forces(const Clock& clock, State& state)
     add_pair_forces(clock, state);
     if (options_.tensile_repulsion > 0) add_tensile_forces(clock, state);
     if (!arrays_.laminar.empty()) add_laminar_forces(clock, state);
+    find_absorbed_forces();
+    add_absorbed_work(0.5 * clock.last_step);
     // Half of the last impulse and half of this one fall into the step that ends now.
     wall_work_ += 0.5 * clock.last_step * wall_power_;
     wall_power_ = power_of_walls();
@@ -252,6 +264,10 @@ void ParticleBody::search(State& state)
         sort(a.heat);
         sort(a.skin, images);
         if (!a.laminar.empty()) sort(a.laminar, images);
+        if (!a.rest_pressure.empty()) {
+            sort(a.rest_pressure);
+            sort(a.rest_velocity);
+        }
         if (tensor_) {
             sort(a.tension, images);
             sort(a.gradient);
@@ -367,7 +383,7 @@ void ParticleBody::report(EnergyLedger& ledger) const
         ledger.add_part(parts_[number].model_part, energy / density, 0);
     }
     ledger.damping += damped_energy_;
-    ledger.external_work += wall_work_;
+    ledger.external_work += wall_work_ + inflows_.work();
     for (const Departed& left : departed_) {
         ledger.eroded_kinetic += left.kinetic;
         ledger.eroded_internal += left.internal;

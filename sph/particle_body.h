@@ -5,6 +5,7 @@
 #include "sph/active_region.h"
 #include "sph/density_rate.h"
 #include "sph/images.h"
+#include "sph/inflow.h"
 #include "sph/neighbours.h"
 #include "sph/particle_arrays.h"
 #include "sph/particle_law.h"
@@ -52,6 +53,7 @@ struct ParticleOptions {
     double skin = 0; ///< of the neighbour lists, as a share of the largest kernel radius; 0: what costs least
     std::vector<MirrorPlane> mirrors;
     std::vector<PeriodicPair> periods;
+    std::vector<Inflow> inflows;
 };
 
 class CalmZone;
@@ -78,7 +80,7 @@ public:
     void report(EnergyLedger& ledger) const override;
     void serialise(Archive& archive) override
     {
-        archive(wall_work_, wall_power_);
+        archive(wall_work_, wall_power_, absorbed_force_, absorbed_power_, inflows_);
         archive(arrays_, images_, runs_, places_, sleepers_, searches_, departed_, followed_, damped_energy_,
                 regions_at_, skin_, least_skin_, cycles_since_search_);
     }
@@ -105,6 +107,7 @@ private:
     double support_; ///< kernel radius over smoothing length
     ParticleArrays arrays_;
     Images images_;
+    Inflows inflows_;
     std::vector<NeighbourRun> runs_;
     std::vector<std::vector<Index>> places_;   ///< by part: sorted places of its particles that are awake
     std::vector<std::vector<Index>> sleepers_; ///< and of those that are not
@@ -115,11 +118,13 @@ private:
     long cycles_since_search_ = 0;
     long searches_ = 0;
     std::vector<Departed> departed_;
-    std::vector<Vec3> followed_;   ///< by periodic pair: where its node was at the last search [length]
-    double wall_work_ = 0;         ///< of walls that slide on the viscous fluid [energy]
-    double wall_power_ = 0;        ///< [energy/time]
-    double damped_energy_ = 0;     ///< taken from the wake of moving domains and from sleepers [energy]
-    std::vector<Vec3> regions_at_; ///< by region: how far it had travelled at the last search [length]
+    std::vector<Vec3> followed_; ///< by periodic pair: where its node was at the last search [length]
+    double wall_work_ = 0;  ///< of walls that slide on the viscous fluid, and of absorbing planes [energy]
+    double wall_power_ = 0; ///< [energy/time]
+    std::vector<Vec3> absorbed_force_; ///< by sorted place, of absorbing planes; empty without [force]
+    double absorbed_power_ = 0;        ///< what goes with it [energy/time]
+    double damped_energy_ = 0;         ///< taken from the wake of moving domains and from sleepers [energy]
+    std::vector<Vec3> regions_at_;     ///< by region: how far it had travelled at the last search [length]
     ParticleVote vote_;
 
     void create(const State& state);
@@ -145,6 +150,8 @@ private:
     void add_laminar_forces(const Clock& clock, State& state);
     void find_drifts(const State& state);
     double power_of_walls() const;
+    void add_absorbed_work(double half_step);
+    void find_absorbed_forces();
     void calm_wake(const Clock& clock, State& state);
     double calm_particle(const CalmZone& zone, Index place, double step, State& state);
     void take_forces(const NeighbourRun& run, const ForceSums* sums, double half_step, State& state);

@@ -2,6 +2,7 @@
 
 #include "core/parallel.h"
 #include "core/prescribed_rate.h"
+#include "sph/absorbed_power.h"
 #include "sph/moving_domain.h"
 #include "sph/pair_passes.h"
 #include "sph/particle_body.h"
@@ -82,6 +83,31 @@ double ParticleBody::power_of_walls() const
             power += dot(wide(arrays_.viscous_force[p]), arrays_.motion[p].velocity) + arrays_.heat[p];
         }
         return power;
+    });
+}
+
+/// Work of absorbing planes with the forces of n, over half of the step that ends there.
+void ParticleBody::add_absorbed_work(double half_step)
+{
+    if (absorbed_force_.empty()) return;
+    double power = absorbed_power_;
+    for (Index p = 0; p < arrays_.real_count(); ++p) {
+        power += dot(absorbed_force_[p], arrays_.motion[p].velocity);
+    }
+    wall_work_ += half_step * power;
+}
+
+void ParticleBody::find_absorbed_forces()
+{
+    if (!images_.any_absorbing()) return;
+    absorbed_force_.assign(real_count_, {});
+    absorbed_power_ = 0;
+    with_kernel(options_.kernel, [&]<class K>(K) {
+        for (const NeighbourRun& run : runs_) {
+            AbsorbedPower<K> pass(arrays_, images_, run.begin, options_.dimension, absorbed_force_);
+            walk_pairs<double>(run, pass);
+            absorbed_power_ += pass.power;
+        }
     });
 }
 

@@ -1,4 +1,5 @@
-// Particles that leave the run: out of the box of *CONTROL_SPH, or faster than its MAXV.
+// Particles that leave the run: out of the box of *CONTROL_SPH, faster than its MAXV, or through a plane that
+// reflects nothing.
 
 #include "core/parallel.h"
 #include "sph/particle_body.h"
@@ -9,12 +10,15 @@ bool ParticleBody::leaves(Index place) const
 {
     const MotionRecord& motion = arrays_.motion[place];
     if (options_.box && !options_.box->holds(motion.position)) return true;
+    for (const MirrorPlane& plane : options_.mirrors) {
+        if (plane.absorbing && dot(motion.position - plane.point, plane.normal) < 0) return true;
+    }
     return dot(motion.velocity, motion.velocity) > options_.largest_speed * options_.largest_speed;
 }
 
 bool ParticleBody::anyone_leaves() const
 {
-    if (!options_.box && options_.largest_speed == forever) return false;
+    if (!options_.box && options_.largest_speed == forever && !images_.any_absorbing()) return false;
     return sum_chunks(arrays_.real_count(), [&](std::size_t begin, std::size_t end) {
                double count = 0;
                for (std::size_t p = begin; p < end; ++p) {

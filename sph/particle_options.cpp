@@ -153,7 +153,10 @@ MirrorPlane mirror_of(const Record& record)
     if (norm(head - tail) == 0) {
         reject_field(record, "VHX", "head and tail of the plane's normal are the same point");
     }
-    return {tail, unit(head - tail), false, {}};
+    MirrorPlane plane;
+    plane.point = tail;
+    plane.normal = unit(head - tail);
+    return plane;
 }
 
 /// The fluid sticks to it; it may slide along itself.
@@ -215,8 +218,13 @@ ParticleOptions particle_options_of(const Model& model)
     }
     if (const Record* record = find(model, "PLASH_SPH_FORMULATION")) read_formulation(*record, options);
     options.regions = active_regions_of(model);
+    options.inflows = inflows_of(model);
     for (const Record& record : model.others) {
         if (record.keyword == "BOUNDARY_SPH_SYMMETRY_PLANE") options.mirrors.push_back(mirror_of(record));
+        if (record.keyword == "BOUNDARY_SPH_NON_REFLECTING") {
+            options.mirrors.push_back(mirror_of(record));
+            options.mirrors.back().absorbing = true;
+        }
         if (record.keyword == "PLASH_SPH_WALL") options.mirrors.push_back(wall_of(record));
         if (record.keyword == "BOUNDARY_SPH_PERIODIC") options.periods.push_back(period_of(model, record));
         if (record.keyword == "PLASH_SPH_MOVING_PERIODIC") {

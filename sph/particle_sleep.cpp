@@ -1,4 +1,4 @@
-// Particles outside of the active regions.
+// Particles outside of the active regions, and those that have not flowed in yet.
 
 #include "sph/particle_body.h"
 
@@ -8,12 +8,17 @@ namespace plash {
 
 bool ParticleBody::is_awake(Index place) const
 {
+    const MotionRecord& motion = arrays_.motion[place];
+    if (inflows_.waits(arrays_.node[place])) {
+        // Within reach of who is in, until the next one comes in and all are looked at again.
+        return inflows_.distance(arrays_.node[place], motion.position) < 2.5 * support_ * motion.smoothing;
+    }
     const Index part = parts_[arrays_.part[place]].model_part;
     bool concerned = false;
     for (std::size_t i = 0; i < options_.regions.size(); ++i) {
         const ActiveRegion& region = options_.regions[i];
         if (std::find(region.parts.begin(), region.parts.end(), part) == region.parts.end()) continue;
-        if (region.holds(arrays_.motion[place].position, regions_at_[i])) return true;
+        if (region.holds(motion.position, regions_at_[i])) return true;
         concerned = true;
     }
     return !concerned;
@@ -25,17 +30,21 @@ void ParticleBody::put_to_sleep(State& state)
     ParticleArrays& a = arrays_;
     places_.assign(parts_.size(), {});
     sleepers_.assign(parts_.size(), {});
-    if (options_.regions.empty()) {
+    const bool nobody = options_.regions.empty() && !inflows_.any();
+    if (nobody) {
         for (std::size_t i = 0; i < parts_.size(); ++i) places_[i].reserve(parts_[i].nodes.size());
     }
+    inflows_.look(state);
     regions_at_.clear();
     for (const ActiveRegion& region : options_.regions) {
         regions_at_.push_back(region.travelled(state, model_.nodes.position));
     }
     for (Index p = 0; p < a.real_count(); ++p) {
-        a.asleep[p] = !options_.regions.empty() && !is_awake(p);
-        (a.asleep[p] ? sleepers_ : places_)[a.part[p]].push_back(p);
-        if (!a.asleep[p]) continue;
+        a.asleep[p] = !nobody && !is_awake(p);
+        // Those that wait to flow in are pressed by those in front of them.
+        const bool at_rest = a.asleep[p] && !inflows_.waits(a.node[p]);
+        (at_rest ? sleepers_ : places_)[a.part[p]].push_back(p);
+        if (!at_rest) continue;
         Vec3& velocity = state.velocity[a.node[p]];
         damped_energy_ += 0.5 * a.mass(p) * dot(velocity, velocity);
         velocity = a.motion[p].velocity = {};
@@ -43,8 +52,9 @@ void ParticleBody::put_to_sleep(State& state)
     }
 }
 
-void ParticleBody::constrain(const Clock&, State& state)
+void ParticleBody::constrain(const Clock& clock, State& state)
 {
+    inflows_.constrain(clock, state);
     for (const std::vector<Index>& sleepers : sleepers_) {
         for (Index p : sleepers) {
             state.force[arrays_.node[p]] = {};

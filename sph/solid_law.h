@@ -14,9 +14,11 @@ public:
     {
         const double e = material.young_modulus, nu = material.poisson_ratio;
         wave_modulus_ = e * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+        shear_sound_ = std::sqrt((1 - 2 * nu) / (2 * (1 - nu)));
     }
 
     bool has_strength() const override { return true; }
+    double shear_sound() const override { return shear_sound_; }
     int history_size() const override { return Material::history_size; }
     void start_history(double* variables) const override
     {
@@ -43,6 +45,7 @@ public:
 private:
     Material material_;
     double wave_modulus_; ///< of longitudinal waves [stress]
+    double shear_sound_;  ///< of shear waves, over that of longitudinal ones [-]
 
     static Tensor3<Lanes> gather_gradient(std::span<const Index> places, const ParticleArrays& arrays)
     {

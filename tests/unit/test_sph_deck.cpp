@@ -121,6 +121,36 @@ TEST(SphDeck, MapsFormsAndBoundaries)
     EXPECT_EQ(norm(periods[0].period - Vec3{40, 0, 0}), 0);
 }
 
+TEST(SphDeck, TakesOpenBoundaries)
+{
+    const auto options = [](const std::string& extra) {
+        return particle_options_of(read(plate_deck("7", extra)));
+    };
+    const auto planes = options("*BOUNDARY_SPH_NON_REFLECTING\n0,-5,0,0,3,0\n35,0,0,0,0,0\n").mirrors;
+    ASSERT_EQ(planes.size(), 2u);
+    EXPECT_TRUE(planes[0].absorbing && planes[1].absorbing);
+    EXPECT_EQ(norm(planes[1].normal - Vec3{-1, 0, 0}), 0);
+
+    const std::string around = "*SET_NODE_LIST\n8\n101,102\n*DEFINE_VECTOR\n6,0,0,0,0,2,0\n"
+                               "*DEFINE_CURVE\n9\n0,3\n1,3\n*BOUNDARY_SPH_FLOW\n";
+    const auto flows = options(around + "8,3,4,0,9,2,0.5,0.1\n105,6\n1,2,1,2,9\n105,6\n").inflows;
+    ASSERT_EQ(flows.size(), 2u);
+    EXPECT_EQ(flows[0].motion.nodes.size(), 2u);
+    EXPECT_EQ(norm(flows[0].motion.direction - Vec3{0, 1, 0}), 0);
+    EXPECT_EQ(norm(flows[0].point - Vec3{0, 10, 0}), 0);
+    EXPECT_EQ(flows[0].motion.scale, 2);
+    EXPECT_EQ(flows[0].motion.birth, 0.1);
+    EXPECT_EQ(flows[0].motion.death, 0.5);
+    EXPECT_EQ(flows[1].motion.nodes.size(), 12u);
+    EXPECT_TRUE(flows[1].motion.kind == PrescribedMotion::Kind::displacement);
+    EXPECT_EQ(norm(flows[1].motion.direction - Vec3{1, 0, 0}), 0);
+    const auto wrong = [&](const std::string& cards) { return complaint(plate_deck("7", around + cards)); };
+    EXPECT_NE(wrong("8,3,5,0,9\n105,6\n").find("DOF"), std::string::npos);
+    EXPECT_NE(wrong("8,4,1,0,9\n105,6\n").find("STYP"), std::string::npos);
+    EXPECT_NE(wrong("8,3,1,3,9\n105,6\n").find("VAD"), std::string::npos);
+    EXPECT_NE(wrong("7,3,1,0,9\n105,6\n").find("ID"), std::string::npos);
+}
+
 TEST(SphDeck, TakesPlashsOwnFormulation)
 {
     const auto options = [](const std::string& extra) {
