@@ -61,14 +61,21 @@ void set_smoothing(const Record& section, const std::vector<Vec3>& positions, Pa
     }
 }
 
+/// Edge of the cube, in the plane of the square, that a particle of mean mass fills [length].
+double mean_edge(const std::vector<double>& mass, double density, int dimension)
+{
+    const double volume =
+        std::accumulate(mass.begin(), mass.end(), 0.0) / (density * static_cast<double>(mass.size()));
+    return dimension == 2 ? std::sqrt(volume) : std::cbrt(volume);
+}
+
 /// The smoothing length of a particle of mean mass, which those of the others follow: CSLH times the edge of
 /// the cube, in the plane of the square, that a particle fills.
 void set_graded_smoothing(const Record& section, const std::vector<double>& mass, int dimension,
                           PartConstants& constants)
 {
     const double mean = std::accumulate(mass.begin(), mass.end(), 0.0) / static_cast<double>(mass.size());
-    const double volume = mean / constants.density, given = section.real("SPHINI");
-    const double edge = dimension == 2 ? std::sqrt(volume) : std::cbrt(volume);
+    const double given = section.real("SPHINI"), edge = mean_edge(mass, constants.density, dimension);
     const double smoothing = given > 0 ? given : value_or(section.real("CSLH"), 1.2) * edge;
     const double ratio = smoothing / constants.smoothing;
     constants.smoothing_mass = mean;
@@ -77,7 +84,7 @@ void set_graded_smoothing(const Record& section, const std::vector<double>& mass
     constants.largest_smoothing *= ratio;
 }
 
-ParticlePart make_part(const Model& model, Index index, const std::vector<Index>& elements)
+ParticlePart make_part(const Model& model, Index index, const std::vector<Index>& elements, int dimension)
 {
     const Part& source = model.parts[index];
     const Record& section = section_of(model, source);
@@ -102,6 +109,7 @@ ParticlePart make_part(const Model& model, Index index, const std::vector<Index>
         }
     }
     set_smoothing(section, positions, part.constants);
+    part.constants.laminar_viscosity += law.viscosity_by_size * mean_edge(part.mass, law.density, dimension);
     for (std::string_view field : {"DEATH", "START"}) {
         if (section.given(field) && section.real(field) != 0) {
             reject_field(section, field,
@@ -242,7 +250,7 @@ std::vector<std::unique_ptr<ParticleBody>> make_particle_bodies(const Model& mod
     std::vector<ParticlePart> parts;
     for (std::size_t part = 0; part < elements.size(); ++part) {
         if (elements[part].empty()) continue;
-        parts.push_back(make_part(model, static_cast<Index>(part), elements[part]));
+        parts.push_back(make_part(model, static_cast<Index>(part), elements[part], options.dimension));
         share(model, parts.back(), parts.size() == 1, options);
         if (!options.graded) continue;
         set_graded_smoothing(section_of(model, model.parts[part]), parts.back().mass, options.dimension,

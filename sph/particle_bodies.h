@@ -17,6 +17,7 @@ struct ParticleLawOfPart {
     std::shared_ptr<const ParticleLaw> law;
     double density = 0;           ///< reference [mass/volume]
     double laminar_viscosity = 0; ///< [stress time]
+    double viscosity_by_size = 0; ///< further, over the edge that a particle fills [stress time/length]
 };
 ParticleLawOfPart particle_law_of(const Model& model, const Part& part);
 

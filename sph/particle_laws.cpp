@@ -73,20 +73,17 @@ struct LogarithmicPressure {
     }
 };
 
-/// The tensor viscosity VC needs the length of an element, which particles do not have.
-ParticleLawOfPart make_elastic_fluid(const Record& material, const Record*, const Model&, const Part& part)
+/// The length in the tensor viscosity, s = VC L a rho e', is the edge of the cube that a particle fills: a
+/// fluid of the viscosity VC L a rho / 2.
+ParticleLawOfPart make_elastic_fluid(const Record& material, const Record*, const Model&, const Part&)
 {
     const ElasticFluid given = ElasticFluid::from_record(material);
-    if (given.viscosity != 0) {
-        reject_field(material, "VC",
-                     fmt::format("the particles of part {} have no element length for VC = {:g}; give 0, and "
-                                 "Q1 and Q2 of *HOURGLASS for artificial viscosity",
-                                 part.id, given.viscosity));
-    }
     NullFluid fluid;
     fluid.density = given.density;
     fluid.lowest_pressure = given.lowest_pressure;
-    return fluid_with(fluid, LogarithmicPressure{given.bulk_modulus});
+    ParticleLawOfPart law = fluid_with(fluid, LogarithmicPressure{given.bulk_modulus});
+    law.viscosity_by_size = 0.5 * given.viscosity * std::sqrt(given.bulk_modulus * given.density);
+    return law;
 }
 
 template <class Material>

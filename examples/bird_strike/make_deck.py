@@ -33,7 +33,20 @@ def lines_of_five(values):
     return "\n".join("".join(f"{v:16.8g}" for v in values[i:i + 5]) for i in range(0, len(values), 5))
 
 
-WATER_AND_AIR = f"""*MAT_NULL
+PART = """*PART
+bird
+$      pid     secid       mid     eosid
+"""
+# Sound in it is that of water, also at rest; VC, the viscosity, is LS-DYNA's usual 0.1.
+ELASTIC_FLUID = f"""{PART}{BIRD:10d}{BIRD:10d}{BIRD:10d}         0
+*MAT_ELASTIC_FLUID
+$      mid        ro         e        pr        da        db         k
+{BIRD:10d}{BIRD_DENSITY:10.3g}         0         0         0         0{BIRD_DENSITY * 1482.9e3 ** 2:10.5g}
+$       vc        cp
+       0.1     0.001
+"""
+WATER_AND_AIR = f"""{PART}{BIRD:10d}{BIRD:10d}{BIRD:10d}{BIRD:10d}
+*MAT_NULL
 $      mid        ro        pc
 {BIRD:10d}{BIRD_DENSITY:10.3g}    -0.001
 *EOS_TABULATED
@@ -91,6 +104,8 @@ METHODS = {  # name of the parameter's value: FORM, smoothing length over spacin
 
 
 def include_files():
+    for name, text in (("null", WATER_AND_AIR), ("elastic", ELASTIC_FLUID)):
+        write(f"fluid_{name}.k", text)
     for name, (form, smoothing, extra) in METHODS.items():
         write(f"particles_{name}.k", f"""*CONTROL_SPH
 $     ncbs     boxid        dt      idim   nmneigh      form
@@ -119,8 +134,9 @@ HEAD = """*KEYWORD
 {title}
 $ units: t, mm, s, N, MPa; written by make_deck.py
 *PARAMETER
-$ speed [mm/s]; particles across the {what}; water, form0 or form1; nodes, eroding or constraint
+$ speed [mm/s]; particles across the {what}; water, form0 or form1; nodes, eroding or constraint; null, elastic
 R    SPEED{speed:10.4g}I   ACROSS{across:10d}C   METHOD     waterC  CONTACT{contact:>10s}
+C    FLUID      null
 *PARAMETER_EXPRESSION
 R  SPACING {width:.8g}/&ACROSS
 R      END {end}
@@ -151,11 +167,9 @@ $   dtinit    tssfac      isdo    tslimt     dt2ms      lctm
     &EVERY
 *DATABASE_BINARY_D3PLOT
    &STATES
-*PART
-bird
-$      pid     secid       mid     eosid
-{bird:10d}{bird:10d}{bird:10d}{bird:10d}
-{material}*INCLUDE
+*INCLUDE
+fluid_&FLUID.k
+*INCLUDE
 {stem}_bird_&ACROSS.k
 *INCLUDE
 particles_&METHOD.k
@@ -183,7 +197,7 @@ def plate_bird(across):
 def plate(across=6):
     plate_bird(across)
     text = HEAD.format(title="Bird on a rigid plate: shot 5126A", speed=116e3, across=across, what="transducer",
-                       contact="nodes", width=2 * CELL, end=f"1.2*{LENGTH:g}/&SPEED", bird=BIRD, material=WATER_AND_AIR, stem="plate")
+                       contact="nodes", width=2 * CELL, end=f"1.2*{LENGTH:g}/&SPEED", stem="plate")
     text += f"""*CONTACT_FORCE_TRANSDUCER_PENALTY_ID
          2transducer
 $    surfa     surfb  surfatyp  surfbtyp
@@ -265,7 +279,7 @@ def turned(point, angle, spacing):
 def tapered(angle, across=14):
     c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
     text = HEAD.format(title=f"Bird on a tapered plate, {angle} degrees", speed=100e3, across=across,
-                       what="bird", contact="eroding", width=BIG_DIAMETER, end=f"{1.3 * BIG_LENGTH:g}/&SPEED", bird=BIRD, material=WATER_AND_AIR,
+                       what="bird", contact="eroding", width=BIG_DIAMETER, end=f"{1.3 * BIG_LENGTH:g}/&SPEED",
                        stem=f"tapered_{angle}")
     text += f"""*PARAMETER_EXPRESSION
 R       VX {c:.8g}*&SPEED

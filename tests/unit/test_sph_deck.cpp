@@ -95,6 +95,20 @@ TEST(SphDeck, GradedParticlesHaveSmoothingLengthsByTheirMasses)
     EXPECT_NE(complaint(plate_deck("7", "*PLASH_SPH_FORMULATION\n0\n2\n")).find("GRADED"), std::string::npos);
 }
 
+TEST(SphDeck, ViscosityOfAnElasticFluidGoesWithTheParticles)
+{
+    std::string deck = plate_deck("7", "");
+    const std::size_t fluid = deck.find("*MAT_NULL\n3,1e-9,-1,1e-9\n");
+    ASSERT_NE(fluid, std::string::npos);
+    deck.replace(fluid, 25, "*MAT_ELASTIC_FLUID\n3,1e-9,,,,,2000\n0.1,1\n");
+    deck.replace(deck.find("1,7,3,4"), 7, "1,7,3");
+    const Scene scene = make_scene(read(deck));
+    const ParticleArrays& a = body_of(scene).arrays();
+    // (dimension + 2) mu / rho^2, mu = VC L sqrt(K rho) / 2; particles of 1000 volume units
+    const double viscosity = 0.5 * 0.1 * 10 * std::sqrt(2000 * 1e-9);
+    EXPECT_NEAR(a.push[0].viscosity, 5 * viscosity * 1e18, 1e-6 * a.push[0].viscosity);
+}
+
 TEST(SphDeck, MapsFormsAndBoundaries)
 {
     const auto options = [](const std::string& extra) {
