@@ -131,6 +131,36 @@ def height_across(y, radius):
     return sagitta(y) if radius > 0 else sagitta(HALF_WIDTH) - sagitta(y)
 
 
+TROLLEY = 0.837  # [t], recalled and unverified (no printed source at hand)
+
+
+def guides():
+    """How the frame goes: driven at constant speed, or free along the guide with half of the trolley's mass on it."""
+    rigid = f"*MAT_RIGID\n{FRAME:10d}   7.8e-09  210000.0       0.3\n"
+    write("guide_driven.k", f"""{rigid}$ guided: along the tank and down
+       1.0         2         7
+
+*BOUNDARY_PRESCRIBED_MOTION_RIGID
+{FRAME:10d}         1         0         1    &SPEED
+{FRAME:10d}         3         0         1    -&SINK
+*DEFINE_CURVE
+         1
+                 0.0                 1.0
+              1000.0                 1.0
+""")
+    write("guide_trolley.k", f"""{rigid}$ free along the x axis of system 1, the guide, alone
+      -1.0         1    011111
+
+*DEFINE_COORDINATE_SYSTEM
+$      cid        xo        yo        zo        xl        yl        zl
+         1         0         0         0    &SPEED         0    -&SINK
+         0         1         0
+*ELEMENT_MASS
+$ half of the trolley, for half of the panel
+ 1000001       1{0.5 * TROLLEY:16.8g}
+""")
+
+
 def deck(args):
     c, s = math.cos(math.radians(args.pitch)), math.sin(math.radians(args.pitch))
     text = f"""*KEYWORD
@@ -139,8 +169,9 @@ Guided ditching, pitch {args.pitch:g} degrees{"" if math.isinf(args.radius) else
 $ units: t, mm, s, N, MPa; written by make_deck.py
 *PARAMETER
 $ speed along the tank and down [mm/s], end [s]; panel rigid, 15mm, 3mm, 08mm; water moving, full or graded
+$ guide driven or trolley
 R    SPEED{args.speed:10.4g}R     SINK    1500.0R      END{args.end:10.4g}
-C    PANEL     rigidC    WATER    moving
+C    PANEL     rigidC    WATER    movingC    GUIDE    driven
 *PARAMETER_EXPRESSION
 R    EVERY &END/450
 R   STATES &END/15
@@ -175,18 +206,8 @@ frame
 *SECTION_SHELL
 {FRAME:10d}         2
       15.0
-*MAT_RIGID
-{FRAME:10d}   7.8e-09  210000.0       0.3
-$ guided: along the tank and down
-       1.0         2         7
-
-*BOUNDARY_PRESCRIBED_MOTION_RIGID
-{FRAME:10d}         1         0         1    &SPEED
-{FRAME:10d}         3         0         1    -&SINK
-*DEFINE_CURVE
-         1
-                 0.0                 1.0
-              1000.0                 1.0
+*INCLUDE
+guide_&GUIDE.k
 *INITIAL_VELOCITY_GENERATION
 {FRAME:10d}         2         0    &SPEED         0    -&SINK
 
@@ -256,6 +277,7 @@ def main():
             (BEHIND + AHEAD + args.speed * args.end) / args.spacing), False), "particles")
     else:
         panels()
+        guides()
         print(water("water_moving.k", args.spacing, -BEHIND, AHEAD, True), "particles")
         deck(args)
 
