@@ -8,35 +8,6 @@
 
 namespace plash {
 
-namespace {
-
-/// A curve that begins at zero or above holds alike, with opposite sign, below zero.
-Curve both_senses(const Curve& given)
-{
-    if (given.abscissa.empty() || given.abscissa.front() < 0) return given;
-    Curve result;
-    for (std::size_t i = given.abscissa.size(); i-- > 0;) {
-        if (given.abscissa[i] == 0) continue;
-        result.abscissa.push_back(-given.abscissa[i]);
-        result.ordinate.push_back(-given.ordinate[i]);
-    }
-    result.abscissa.insert(result.abscissa.end(), given.abscissa.begin(), given.abscissa.end());
-    result.ordinate.insert(result.ordinate.end(), given.ordinate.begin(), given.ordinate.end());
-    return result;
-}
-
-double steepest(const Curve& curve)
-{
-    double slope = 0;
-    for (std::size_t i = 0; i + 1 < curve.abscissa.size(); ++i) {
-        slope = std::max(slope, (curve.ordinate[i + 1] - curve.ordinate[i]) /
-                                    (curve.abscissa[i + 1] - curve.abscissa[i]));
-    }
-    return slope;
-}
-
-} // namespace
-
 DiscreteLaw DiscreteLaw::from_record(const Record& material, const Model& model)
 {
     DiscreteLaw law;
@@ -59,12 +30,12 @@ DiscreteLaw DiscreteLaw::from_record(const Record& material, const Model& model)
         }
     } else if (name == "MAT_SPRING_NONLINEAR_ELASTIC") {
         law.kind = Kind::nonlinear;
-        law.force = both_senses(take_curve("LCD"));
+        law.force = odd_curve(take_curve("LCD"));
         if (material.integer("LCR") != 0) law.rate_factor = take_curve("LCR");
-        law.largest_stiffness = steepest(law.force);
+        law.largest_stiffness = steepest_slope(law.force);
     } else if (name == "MAT_DAMPER_NONLINEAR_VISCOUS") {
         law.kind = Kind::nonlinear_viscous;
-        law.force = both_senses(take_curve("LCDR"));
+        law.force = odd_curve(take_curve("LCDR"));
     } else if (name == "MAT_SPRING_MAXWELL") {
         law.kind = Kind::maxwell;
         law.largest_stiffness = law.stiffness = positive(material, "K0", "short-time stiffness");
@@ -76,7 +47,7 @@ DiscreteLaw DiscreteLaw::from_record(const Record& material, const Model& model)
     } else if (name == "MAT_SPRING_INELASTIC") {
         law.kind = Kind::inelastic;
         law.force = take_curve("LCFD");
-        law.stiffness = std::max(material.real("KU"), steepest(law.force));
+        law.stiffness = std::max(material.real("KU"), steepest_slope(law.force));
         law.largest_stiffness = law.stiffness;
         law.sense = material.real("CTF", 1) < 0 ? -1 : 1;
     } else {

@@ -3,7 +3,6 @@
 #include "materials/discrete_beam_laws.h"
 #include "materials/parameters.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 
@@ -50,28 +49,7 @@ std::unique_ptr<DiscreteBeamLaw> make_discrete_beam_law(const Record& material, 
 
 Curve odd_curve(const Record& material, const char* field, const Model& model)
 {
-    if (material.integer(field) == 0) return {};
-    const Curve& given = curve_of(material, field, model).curve;
-    if (given.abscissa.front() < 0) return given;
-    Curve result;
-    for (std::size_t i = given.abscissa.size(); i-- > 0;) {
-        if (given.abscissa[i] == 0) continue;
-        result.abscissa.push_back(-given.abscissa[i]);
-        result.ordinate.push_back(-given.ordinate[i]);
-    }
-    result.abscissa.insert(result.abscissa.end(), given.abscissa.begin(), given.abscissa.end());
-    result.ordinate.insert(result.ordinate.end(), given.ordinate.begin(), given.ordinate.end());
-    return result;
-}
-
-double steepest_slope(const Curve& curve)
-{
-    double slope = 0;
-    for (std::size_t i = 0; i + 1 < curve.abscissa.size(); ++i) {
-        slope = std::max(slope, (curve.ordinate[i + 1] - curve.ordinate[i]) /
-                                    (curve.abscissa[i + 1] - curve.abscissa[i]));
-    }
-    return slope;
+    return material.integer(field) == 0 ? Curve{} : odd_curve(curve_of(material, field, model).curve);
 }
 
 } // namespace plash

@@ -50,7 +50,4 @@ std::unique_ptr<DiscreteBeamLaw> make_discrete_beam_law(const Record& material, 
 /// zero. No points where the field is zero.
 Curve odd_curve(const Record& material, const char* field, const Model& model);
 
-/// Largest rising slope of a curve.
-double steepest_slope(const Curve& curve);
-
 } // namespace plash

@@ -22,4 +22,28 @@ double Curve::slope(double x) const
     return (ordinate[right] - ordinate[right - 1]) / (abscissa[right] - abscissa[right - 1]);
 }
 
+Curve odd_curve(const Curve& given)
+{
+    if (given.abscissa.empty() || given.abscissa.front() < 0) return given;
+    Curve result;
+    for (std::size_t i = given.abscissa.size(); i-- > 0;) {
+        if (given.abscissa[i] == 0) continue;
+        result.abscissa.push_back(-given.abscissa[i]);
+        result.ordinate.push_back(-given.ordinate[i]);
+    }
+    result.abscissa.insert(result.abscissa.end(), given.abscissa.begin(), given.abscissa.end());
+    result.ordinate.insert(result.ordinate.end(), given.ordinate.begin(), given.ordinate.end());
+    return result;
+}
+
+double steepest_slope(const Curve& curve)
+{
+    double slope = 0;
+    for (std::size_t i = 0; i + 1 < curve.abscissa.size(); ++i) {
+        slope = std::max(slope, (curve.ordinate[i + 1] - curve.ordinate[i]) /
+                                    (curve.abscissa[i + 1] - curve.abscissa[i]));
+    }
+    return slope;
+}
+
 } // namespace plash

@@ -16,4 +16,10 @@ struct Curve {
     double slope(double x) const;
 };
 
+/// A curve that begins at zero or above, continued below zero with the opposite sign; others as they are.
+Curve odd_curve(const Curve& given);
+
+/// Largest slope of a curve; zero of one without segments.
+double steepest_slope(const Curve& curve);
+
 } // namespace plash

@@ -20,4 +20,16 @@ TEST(Curve, IsZeroWithoutPoints)
     EXPECT_EQ(Curve{}(1.0), 0);
 }
 
+TEST(Curve, BecomesOddWhereItBeginsAtZeroOrAbove)
+{
+    const Curve odd = odd_curve({{0, 1, 3}, {0, 2, 3}});
+    EXPECT_EQ(odd.abscissa, (std::vector<double>{-3, -1, 0, 1, 3}));
+    EXPECT_EQ(odd.ordinate, (std::vector<double>{-3, -2, 0, 2, 3}));
+    const Curve both{{-1, 1}, {-1, 5}};
+    EXPECT_EQ(odd_curve(both).ordinate, both.ordinate);
+    EXPECT_TRUE(odd_curve({}).abscissa.empty());
+    EXPECT_DOUBLE_EQ(steepest_slope(odd), 2);
+    EXPECT_EQ(steepest_slope({}), 0);
+}
+
 } // namespace plash
