@@ -6,17 +6,41 @@
 /// Shares of the groups in what leaves cells that hold an interface, whatever the mesh they belong to.
 namespace plash {
 
+/// Values of a batch of cells that follow one another from `place` on, or that stand anywhere.
+template <class Lane>
+inline Lane values_at(const double* table, std::ptrdiff_t place)
+{
+    return load<Lane>(table + place);
+}
+
+template <class Lane>
+inline Lane values_at(const double* table, LaneMask places)
+{
+    return gather(table, places);
+}
+
+template <class Lane>
+inline void set_values(double* table, std::ptrdiff_t place, Lane value)
+{
+    store(table + place, value);
+}
+
+inline void set_values(double* table, LaneMask places, Lanes value)
+{
+    for (int lane = 0; lane < lane_count; ++lane) table[places[lane]] = value[lane];
+}
+
 /// Sum of the fractions of the first groups, in the order of the deck: the interface of each group lies where
 /// this sum changes, so that several interfaces in one cell nest like the skins of an onion (Youngs 1982).
 struct FirstGroups {
     const FluidFields& fields;
     int count;
 
-    template <class Lane>
-    Lane at(std::ptrdiff_t place) const
+    template <class Lane, class Place>
+    Lane at(Place place) const
     {
-        Lane sum = load<Lane>(&fields.groups[0].fraction[place]);
-        for (int g = 1; g < count; ++g) sum += load<Lane>(&fields.groups[g].fraction[place]);
+        Lane sum = values_at<Lane>(fields.groups[0].fraction.data(), place);
+        for (int g = 1; g < count; ++g) sum += values_at<Lane>(fields.groups[g].fraction.data(), place);
         return sum;
     }
 };
@@ -54,15 +78,15 @@ inline SlabShares<Lane> cut_slabs(const Vector3<Lane>& gradient, Lane fraction, 
 
 /// Planes of several interfaces in one cell need not leave each group what the cell has of it: what a group
 /// cannot deliver, the others deliver in proportion to what they have left.
-template <class Lane>
-inline void keep_within_stock(FluidFields& fields, std::ptrdiff_t place, Lane lower_part, Lane upper_part,
+template <class Lane, class Place>
+inline void keep_within_stock(FluidFields& fields, Place place, Lane lower_part, Lane upper_part,
                               Lane lower_void, Lane upper_void)
 {
     constexpr int most_phases = 17;
     const int groups = static_cast<int>(fields.groups.size());
     Lane stock[most_phases], sum{};
     for (int group = 0; group < groups; ++group) {
-        stock[group] = load<Lane>(&fields.groups[group].fraction[place]);
+        stock[group] = values_at<Lane>(fields.groups[group].fraction.data(), place);
         sum += stock[group];
     }
     stock[groups] = max(1.0 - sum, Lane{}); // void
@@ -70,9 +94,9 @@ inline void keep_within_stock(FluidFields& fields, std::ptrdiff_t place, Lane lo
     for (int side = 0; side < 2; ++side) {
         Lane wanted[most_phases], missing{}, spare{};
         for (int phase = 0; phase <= groups; ++phase) {
-            const Lane share = phase < groups
-                                   ? load<Lane>(&fields.groups[phase].share_of_outflow[side][place])
-                                   : max(voids[side], Lane{});
+            const Lane share =
+                phase < groups ? values_at<Lane>(fields.groups[phase].share_of_outflow[side].data(), place)
+                               : max(voids[side], Lane{});
             wanted[phase] = min(share * parts[side], stock[phase]);
             missing += share * parts[side] - wanted[phase];
             spare += stock[phase] - wanted[phase];
@@ -83,23 +107,24 @@ inline void keep_within_stock(FluidFields& fields, std::ptrdiff_t place, Lane lo
             const Lane out = wanted[phase] + fill * (stock[phase] - wanted[phase]);
             stock[phase] -= out;
             if (phase == groups) continue;
-            store(&fields.groups[phase].share_of_outflow[side][place], out * per_part);
+            set_values(fields.groups[phase].share_of_outflow[side].data(), place, out * per_part);
         }
     }
 }
 
 /// Finds the shares of all groups in what leaves a batch of cells through the faces across an axis.
 /// lower_part, upper_part  shares of the cell that leave it, >= 0
+/// place                   of the first cell of the batch, or of each
 /// gradient_of             (FirstGroups) -> differences of their fraction across the cell
-template <class Lane, class GradientOf>
-inline void share_outflow(FluidFields& fields, std::ptrdiff_t place, int axis, Lane lower_part,
-                          Lane upper_part, GradientOf&& gradient_of)
+template <class Lane, class Place, class GradientOf>
+inline void share_outflow(FluidFields& fields, Place place, int axis, Lane lower_part, Lane upper_part,
+                          GradientOf&& gradient_of)
 {
     const int groups = static_cast<int>(fields.groups.size());
     Lane lower_before{}, upper_before{};
     for (int group = 0; group < groups; ++group) {
         const FirstGroups first{fields, group + 1};
-        const Lane fraction = first.at<Lane>(place);
+        const Lane fraction = first.template at<Lane>(place);
         SlabShares<Lane> shares{fraction, fraction};
         const auto cut = (fraction > 0.0) & (fraction < 1.0);
         if (any(cut)) {
@@ -111,8 +136,8 @@ inline void share_outflow(FluidFields& fields, std::ptrdiff_t place, int axis, L
         // Nested interfaces may touch but not cross.
         shares.lower = max(shares.lower, lower_before);
         shares.upper = max(shares.upper, upper_before);
-        store(&fields.groups[group].share_of_outflow[0][place], shares.lower - lower_before);
-        store(&fields.groups[group].share_of_outflow[1][place], shares.upper - upper_before);
+        set_values(fields.groups[group].share_of_outflow[0].data(), place, shares.lower - lower_before);
+        set_values(fields.groups[group].share_of_outflow[1].data(), place, shares.upper - upper_before);
         lower_before = shares.lower;
         upper_before = shares.upper;
     }

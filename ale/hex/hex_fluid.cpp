@@ -9,82 +9,51 @@ namespace plash {
 
 HexFluid::HexFluid(HexMesh all_cells, std::vector<FluidGroup> all_groups, LagrangeSettings settings)
     : Fluid(all_groups, settings,
-            FluidFields(padded(all_cells.cells()), all_cells.nodes(), static_cast<int>(all_groups.size()),
-                        settings.void_allowed || all_groups.size() > 1, settings.viscous)),
+            FluidFields(padded(all_cells.cells() + 1), padded(all_cells.nodes() + 1),
+                        static_cast<int>(all_groups.size()), settings.void_allowed || all_groups.size() > 1,
+                        settings.viscous)),
       mesh(std::move(all_cells)),
       mixed_(settings.void_allowed || groups.size() > 1),
       sweeps_(make_hex_sweeps(mesh)),
+      layout_(mesh),
+      activity_(mesh, sweeps_, mixed_),
       locator_(mesh),
-      corner_area_(mesh.node_corner.size()),
-      outer_area_(mesh.nodes()),
-      contents_(mesh.cells(), mixed_ ? 0 : 1),
+      mid_pressure_(fields.pressure.size()),
       face_rate_(padded(mesh.faces.size()) + lane_count),
-      face_seen_(face_rate_.size()),
       volume_flux_(face_rate_.size()),
       mass_flux_(face_rate_.size()),
-      scratch_(groups.size())
+      scratch_(groups.size()),
+      of_sweep_(sweeps_.size()),
+      still_nodes_(fields.node_mass.size() / lane_count),
+      still_cells_(fields.pressure.size() / lane_count)
 {
-    std::size_t members = 0, lines = 0, edges = 0;
-    for (const HexSweep& sweep : sweeps_) {
-        members = std::max(members, sweep.members.size());
-        lines = std::max(lines, padded(sweep.lines.size));
+    std::size_t members = 0, edges = 0, nodes = 0;
+    for (std::size_t direction = 0; direction < sweeps_.size(); ++direction) {
+        const HexSweep& sweep = sweeps_[direction];
+        members = std::max(members, padded(sweep.members.size()));
         edges = std::max(edges, padded(sweep.edges.size));
+        nodes = std::max(nodes, sweep.nodes.place.size());
+        of_sweep_[direction].edge_flux.resize(padded(sweep.edges.size));
+        of_sweep_[direction].still_edges.resize(padded(sweep.edges.size) / lane_count);
+        of_sweep_[direction].still_faces.resize(padded(sweep.lines.size) / lane_count);
     }
     for (GroupScratch& group : scratch_) {
-        group.density.resize(mesh.cells());
-        group.energy.resize(mesh.cells());
+        group.density.resize(fields.volume.size());
+        group.energy.resize(fields.volume.size());
         for (AlignedDoubles* flux : {&group.volume_flux, &group.mass_flux, &group.energy_flux})
-            flux->resize(lines);
+            flux->resize(face_rate_.size());
+        if (mixed_) group.node_fraction.resize(fields.node_mass.size());
     }
     member_flux_.resize(members);
-    edge_flux_.resize(edges);
     for (AlignedDoubles& component : edge_velocity_) component.resize(edges);
-    lay_out_lanes();
+    end_change_.resize(nodes);
+    end_inflow_.resize(nodes);
+    mesh.volume.resize(fields.volume.size(), 1.0);
 
-    for (std::size_t entry = 0; entry < corner_area_.size(); ++entry) {
-        const Index cell = mesh.node_corner[entry] / 8, corner = mesh.node_corner[entry] % 8;
-        const Index node = mesh.corners[cell][corner];
-        for (int axis = 0; axis < 3; ++axis) {
-            const int side = corner >> axis & 1;
-            const HexFace& face = mesh.faces[mesh.cell_faces[cell][2 * axis + side]];
-            const auto own = std::find(face.nodes.begin(), face.nodes.end(), node) - face.nodes.begin();
-            corner_area_[entry] += (side == 1 ? 1.0 : -1.0) * face.area[own];
-        }
-    }
-    for (const HexFace& face : mesh.faces) {
-        if (face.below != none && face.above != none) continue;
-        for (int n = 0; n < 4; ++n)
-            outer_area_[face.nodes[n]] += (face.above == none ? 1.0 : -1.0) * face.area[n];
-    }
     std::vector<double> sizes;
     for (const auto& width : mesh.width) sizes.push_back(std::min({width[0], width[1], width[2]}));
     std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
     common_size_ = sizes[sizes.size() / 2];
-}
-
-void HexFluid::lay_out_lanes()
-{
-    const std::size_t faces = padded(mesh.faces.size()), cells = padded(mesh.cells());
-    for (int n = 0; n < 4; ++n) {
-        face_nodes_[n].resize(faces, 0);
-        for (AlignedDoubles& component : face_area_[n]) component.resize(faces, 0.0);
-    }
-    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-        for (int n = 0; n < 4; ++n) {
-            const Vec3& area = mesh.faces[i].area[n];
-            face_nodes_[n][i] = mesh.faces[i].nodes[n];
-            face_area_[n][0][i] = area.x;
-            face_area_[n][1][i] = area.y;
-            face_area_[n][2][i] = area.z;
-        }
-    }
-    for (auto& of_side : cell_faces_) of_side.resize(cells, 0);
-    for (AlignedDoubles& width : width_) width.resize(cells, 1.0);
-    for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-        for (int side = 0; side < 6; ++side) cell_faces_[side][cell] = mesh.cell_faces[cell][side];
-        for (int axis = 0; axis < 3; ++axis) width_[axis][cell] = mesh.width[cell][axis];
-    }
-    mesh.volume.resize(cells, 1.0);
 }
 
 double HexFluid::total_mass(int group) const
@@ -137,32 +106,21 @@ void HexFluid::shift(const std::array<double, 3>& distance)
 
 void HexFluid::update_contents()
 {
-    if (!mixed_) return;
-    for_chunks(mesh.cells(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t cell = begin; cell < end; ++cell) {
-            Mask mask = 0;
-            double fullest = 0;
-            for (std::size_t group = 0; group < groups.size(); ++group) {
-                const double fraction = fields.groups[group].fraction[cell];
-                if (fraction > 0) mask |= Mask(1u << group);
-                fullest = std::max(fullest, fraction);
-            }
-            if (fullest < 1) mask |= BoxContents::empty_space;
-            contents_[cell] = mask;
-        }
-    });
+    activity_.look(fields, true);
 }
 
 double HexFluid::kinetic_energy() const
 {
     return sum_chunks(mesh.nodes(), [&](std::size_t begin, std::size_t end) {
-        double sum = 0;
-        for (std::size_t node = begin; node < end; ++node) {
-            const double x = fields.velocity[0][node], y = fields.velocity[1][node],
-                         z = fields.velocity[2][node];
-            sum += fields.node_mass[node] * (x * x + y * y + z * z);
+        Lanes sum{};
+        for (std::size_t node = begin; node < end; node += lane_count) {
+            if (!activity_.reaches_nodes(node)) continue;
+            const Lanes x = load<Lanes>(&fields.velocity[0][node]),
+                        y = load<Lanes>(&fields.velocity[1][node]),
+                        z = load<Lanes>(&fields.velocity[2][node]);
+            sum += load<Lanes>(&fields.node_mass[node]) * (x * x + y * y + z * z);
         }
-        return 0.5 * sum;
+        return 0.5 * sum_of(sum);
     });
 }
 
@@ -170,21 +128,23 @@ double HexFluid::internal_energy(int group) const
 {
     const double* energy = fields.groups[group].energy.data();
     return sum_chunks(mesh.cells(), [&](std::size_t begin, std::size_t end) {
-        double sum = 0;
-        for (std::size_t cell = begin; cell < end; ++cell) sum += energy[cell];
-        return sum;
+        Lanes sum{};
+        for (std::size_t cell = begin; cell < end; cell += lane_count)
+            if (!BoxContents::nothing(activity_.of_cells(cell))) sum += load<Lanes>(energy + cell);
+        return sum_of(sum);
     });
 }
 
 void HexFluid::find_node_masses()
 {
-    const AlignedDoubles& mass = fields.total_mass();
+    const double* mass = fields.total_mass().data();
     for_chunks(mesh.nodes(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t node = begin; node < end; ++node) {
-            double sum = 0;
-            for (std::size_t i = mesh.first_corner[node]; i < mesh.first_corner[node + 1]; ++i)
-                sum += mass[mesh.node_corner[i] / 8];
-            fields.node_mass[node] = 0.125 * sum;
+        for (std::size_t node = begin; node < end; node += lane_count) {
+            Lanes sum{};
+            if (!BoxContents::nothing(activity_.of_nodes(node)))
+                for (const HexLayout::Corner& corner : layout_.corners)
+                    sum += gather(mass, corner.cell.at(node));
+            store(&fields.node_mass[node], 0.125 * sum);
         }
     });
 }
@@ -271,7 +231,7 @@ double HexFluid::point_spacing(const Vec3& a, const Vec3& b) const
 void HexFluid::serialise(Archive& archive)
 {
     Fluid::serialise(archive);
-    archive(contents_, offset_);
+    archive(activity_, offset_);
 }
 
 } // namespace plash

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "ale/box_fields.h"
 #include "ale/cell_state.h"
 #include "ale/fluid.h"
+#include "ale/hex/hex_activity.h"
+#include "ale/hex/hex_layout.h"
 #include "ale/hex/hex_locator.h"
 #include "ale/hex/hex_mesh.h"
 #include "ale/hex/hex_sweep.h"
-#include "ale/outflow_shares.h"
 
 namespace plash {
 
@@ -57,53 +57,60 @@ private:
 
     bool mixed_;                   ///< a cell may be partly empty or hold several groups
     std::vector<HexSweep> sweeps_; ///< by direction
+    HexLayout layout_;
+    HexActivity activity_;
     HexLocator locator_;
-    Vec3 offset_{};                 ///< that the mesh has moved [length]
-    double common_size_ = 0;        ///< median of the smallest widths of cells [length]
-    std::vector<Vec3> corner_area_; ///< derivative of a cell's volume by its corner, like mesh.node_corner
-    std::vector<Vec3> outer_area_;  ///< of outer faces, outward, by node [length^2]
-    std::vector<Mask> contents_;    ///< of each cell
+    Vec3 offset_{};          ///< that the mesh has moved [length]
+    double common_size_ = 0; ///< median of the smallest widths of cells [length]
 
-    /// Faces in lanes: nodes, and components of the areas of their corners.
-    std::array<std::vector<Index>, 4> face_nodes_;
-    std::array<std::array<AlignedDoubles, 3>, 4> face_area_;
-    std::array<std::vector<Index>, 6> cell_faces_; ///< cells in lanes: their faces
-    std::array<AlignedDoubles, 3> width_;          ///< and widths [length]
-    AlignedDoubles face_rate_;                     ///< volume that passes a face by time [volume/time]
-    AlignedDoubles face_seen_;                     ///< the same, seen from the moving mesh
-    AlignedDoubles volume_flux_, mass_flux_;       ///< through each face in the step
-    /// Of the present sweep: by group and cell, then by group and face of the direction.
+    AlignedDoubles mid_pressure_;            ///< of cells in the middle of the step [pressure]
+    AlignedDoubles face_rate_;               ///< volume that passes a face by time [volume/time]
+    AlignedDoubles face_seen_;               ///< the same, seen from the moving mesh; empty until it moves
+    AlignedDoubles volume_flux_, mass_flux_; ///< through each face in the step
+    /// Of the present sweep: by group and cell, then by group and face.
     struct GroupScratch {
         AlignedDoubles density, energy; ///< [density], [energy/mass]
         AlignedDoubles volume_flux, mass_flux, energy_flux;
+        AlignedDoubles node_fraction; ///< of this group and those before it, mean of the cells around a node
     };
     std::vector<GroupScratch> scratch_;
-    AlignedDoubles member_flux_, edge_flux_;
+    AlignedDoubles member_flux_;
     std::array<AlignedDoubles, 3> edge_velocity_;
+    AlignedDoubles end_change_, end_inflow_; ///< masses that pass ends of chords, by swept node; else zero
+    /// By direction: mass along its edges, and batches of edges and of faces whose fluxes are zero already.
+    struct SweepScratch {
+        AlignedDoubles edge_flux;
+        std::vector<std::uint8_t> still_edges, still_faces;
+    };
+    std::vector<SweepScratch> of_sweep_;
+    std::vector<std::uint8_t> still_nodes_, still_cells_; ///< batches without motion, without pressure
 
-    void lay_out_lanes();
-    void find_openness();
-    template <class Lane>
-    Lane respond(std::size_t cell, const CellState<Lane>& state, const CellStrain<Lane>& strain,
-                 Lane crossing);
-    bool evaluate_full(std::size_t cell, CrossingRate& limit);
-    CrossingRate evaluate_cell(std::size_t cell, double last_step, bool& torn);
-    double filled(std::size_t cell) const;
-    void find_face_rates(const std::array<AlignedDoubles, 3>& velocity);
+    bool mesh_moves() const;
+    const AlignedDoubles& seen() const { return mesh_moves() ? face_seen_ : face_rate_; }
+    void find_face_rates(const std::array<AlignedDoubles, 3>& velocity, double step);
     std::array<Vec3, 3> velocity_gradient(std::size_t cell, const std::array<AlignedDoubles, 3>& of) const;
+    Lanes viscous_work(std::size_t first, double step) const;
+    Lanes stress_cells(std::size_t first);
+    Lanes filled(Places cells) const;
+    void find_openness();
+    void calm_cells(std::size_t first);
+    Lanes evaluate_cells(std::size_t first, double last_step, bool& torn);
 
+    void find_node_fractions();
     void find_outflow_shares(const HexSweep& sweep);
-    Vector3<double> gradient(const FirstGroups& first, std::size_t cell) const;
+    void find_densities();
     template <bool second_order>
-    void find_fluxes(const HexSweep& sweep);
+    void find_fluxes(const HexSweep& sweep, int direction);
     template <bool second_order>
-    Lanes flux_of_full(const HexSweep& sweep, std::size_t entry);
+    Lanes flux_of_full(const HexSweep& sweep, std::size_t entry, int group, std::size_t lanes);
     template <bool second_order>
-    Lanes flux_of_parts(const HexSweep& sweep, std::size_t entry);
-    void move_cells(const HexSweep& sweep);
+    Lanes flux_of_parts(const HexSweep& sweep, std::size_t entry, std::size_t lanes);
+    void store_fluxes(int group, std::size_t face, const GroupFlux<Lanes>& passing, std::size_t lanes);
+    void move_cells(const HexSweep& sweep, int direction);
     template <bool second_order>
-    void move_momentum(const HexSweep& sweep);
-    void update_nodes(const HexSweep& sweep);
+    void find_edge_fluxes(const HexSweep& sweep, int direction);
+    void move_momentum(const HexSweep& sweep, int direction, bool second_order);
+    void update_nodes(const HexSweep& sweep, int direction);
     double motion_through_ends(const HexSweep& sweep) const;
 };
 

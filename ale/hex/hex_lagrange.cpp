@@ -8,43 +8,61 @@ namespace plash {
 
 double HexFluid::accelerate(double step)
 {
-    const AlignedDoubles& mass = fields.total_mass();
+    const double* mass = fields.total_mass().data();
     const bool viscous = !fields.viscous[0].empty();
+    for_chunks(mesh.cells(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; cell += lane_count)
+            store(&mid_pressure_[cell], load<Lanes>(&fields.pressure[cell]) +
+                                            0.5 * step * load<Lanes>(&fields.pressure_rate[cell]));
+    });
     return sum_chunks(mesh.nodes(), [&](std::size_t begin, std::size_t end) {
-        double work = 0;
-        for (std::size_t node = begin; node < end; ++node) {
-            double own_mass = 0;
-            Vec3 force = -outside_pressure * outer_area_[node];
-            for (std::size_t i = mesh.first_corner[node]; i < mesh.first_corner[node + 1]; ++i) {
-                const Index cell = mesh.node_corner[i] / 8;
-                const Vec3& area = corner_area_[i];
-                own_mass += mass[cell];
-                force += (fields.pressure[cell] + 0.5 * step * fields.pressure_rate[cell]) * area;
+        Lanes work{};
+        for (std::size_t node = begin; node < end; node += lane_count) {
+            std::uint8_t& still = still_nodes_[node / lane_count];
+            if (BoxContents::nothing(activity_.of_nodes(node))) {
+                if (still && !activity_.reaches_nodes(node)) continue;
+                store(&fields.node_mass[node], Lanes{});
+                for (int axis = 0; axis < 3; ++axis) {
+                    store(&fields.velocity[axis][node], Lanes{});
+                    store(&fields.mean_velocity[axis][node], Lanes{});
+                }
+                still = 1;
+                continue;
+            }
+            still = 0;
+            Lanes own_mass{}, force[3];
+            for (int axis = 0; axis < 3; ++axis)
+                force[axis] = -outside_pressure * load<Lanes>(&layout_.outer_area[axis][node]);
+            for (const HexLayout::Corner& corner : layout_.corners) {
+                const Places cell = corner.cell.at(node);
+                const Lanes area[3] = {load<Lanes>(&corner.area[0][node]), load<Lanes>(&corner.area[1][node]),
+                                       load<Lanes>(&corner.area[2][node])};
+                own_mass += gather(mass, cell);
+                const Lanes pressure = gather(mid_pressure_.data(), cell);
+                for (int axis = 0; axis < 3; ++axis) force[axis] += pressure * area[axis];
                 if (!viscous) continue;
-                const double xx = fields.viscous[0][cell], yy = fields.viscous[1][cell],
-                             zz = fields.viscous[2][cell], xy = fields.viscous[3][cell],
-                             yz = fields.viscous[4][cell], zx = fields.viscous[5][cell];
-                force.x -= xx * area.x + xy * area.y + zx * area.z;
-                force.y -= xy * area.x + yy * area.y + yz * area.z;
-                force.z -= zx * area.x + yz * area.y + zz * area.z;
+                Lanes stress[6];
+                for (int component = 0; component < 6; ++component)
+                    stress[component] = gather(fields.viscous[component].data(), cell);
+                force[0] -= stress[0] * area[0] + stress[3] * area[1] + stress[5] * area[2];
+                force[1] -= stress[3] * area[0] + stress[1] * area[1] + stress[4] * area[2];
+                force[2] -= stress[5] * area[0] + stress[4] * area[1] + stress[2] * area[2];
             }
             own_mass *= 0.125;
-            fields.node_mass[node] = own_mass;
-            const double forces[3] = {force.x, force.y, force.z};
+            const auto has = own_mass > 0.0;
+            const Lanes per_mass = has ? step / own_mass : Lanes{};
+            store(&fields.node_mass[node], own_mass);
             for (int axis = 0; axis < 3; ++axis) {
-                double &velocity = fields.velocity[axis][node], &mean = fields.mean_velocity[axis][node];
-                if (!(own_mass > 0)) {
-                    velocity = mean = 0;
-                    continue;
-                }
                 const double fall = step * gravity[axis];
-                const double gain = step / own_mass * forces[axis] + fall;
-                mean = velocity + 0.5 * gain;
-                velocity += gain;
-                work += own_mass * fall * mean;
+                const Lanes before = load<Lanes>(&fields.velocity[axis][node]);
+                const Lanes gain = per_mass * force[axis] + fall;
+                const Lanes mean = before + 0.5 * gain;
+                store(&fields.velocity[axis][node], has ? before + gain : Lanes{});
+                store(&fields.mean_velocity[axis][node], has ? mean : Lanes{});
+                work += has ? own_mass * fall * mean : Lanes{};
             }
         }
-        return work;
+        return sum_of(work);
     });
 }
 
@@ -64,34 +82,39 @@ std::array<Vec3, 3> HexFluid::velocity_gradient(std::size_t cell,
     return sum;
 }
 
+/// Work that the viscous stress of a batch of cells takes from the motion, less the sign [energy].
+Lanes HexFluid::viscous_work(std::size_t first, double step) const
+{
+    Lanes work{};
+    for (std::size_t cell = first; cell < std::min(first + lane_count, mesh.cells()); ++cell) {
+        const std::array<Vec3, 3> slope = velocity_gradient(cell, fields.mean_velocity);
+        const auto stress = [&](int component) { return fields.viscous[component][cell]; };
+        const double power = stress(0) * slope[0].x + stress(1) * slope[1].y + stress(2) * slope[2].z +
+                             stress(3) * (slope[0].y + slope[1].x) + stress(4) * (slope[1].z + slope[2].y) +
+                             stress(5) * (slope[2].x + slope[0].z);
+        work[cell - first] = power * mesh.volume[cell] * step;
+    }
+    return work;
+}
+
 void HexFluid::deform(double step)
 {
-    const auto& u = fields.mean_velocity;
-    find_face_rates(u);
-    for_chunks(mesh.faces.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) volume_flux_[i] = step * face_seen_[i];
-    });
+    find_face_rates(fields.mean_velocity, step);
     for_chunks(mesh.cells(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t cell = begin; cell < end; ++cell) {
-            const auto& faces = mesh.cell_faces[cell];
-            const double growth = step * ((face_rate_[faces[1]] - face_rate_[faces[0]]) +
-                                          (face_rate_[faces[3]] - face_rate_[faces[2]]) +
-                                          (face_rate_[faces[5]] - face_rate_[faces[4]]));
-            fields.volume[cell] = mesh.volume[cell] + growth;
-            const Mask mask = contents_[cell];
+        for (std::size_t cell = begin; cell < end; cell += lane_count) {
+            if (!activity_.reaches_cells(cell)) continue;
+            const auto rate = [&](int side) {
+                return gather(face_rate_.data(), layout_.cell_faces[side].at(cell));
+            };
+            const Lanes growth = step * ((rate(1) - rate(0)) + (rate(3) - rate(2)) + (rate(5) - rate(4)));
+            const Lanes volume = load<Lanes>(&mesh.volume[cell]);
+            store(&fields.volume[cell], volume + growth);
+            const Mask mask = activity_.of_cells(cell);
             if (BoxContents::nothing(mask)) continue;
-            double work = (fields.pressure[cell] + 0.5 * step * fields.pressure_rate[cell]) * growth;
-            if (!fields.viscous[0].empty()) {
-                const std::array<Vec3, 3> slope = velocity_gradient(cell, u);
-                const auto stress = [&](int component) { return fields.viscous[component][cell]; };
-                const double power = stress(0) * slope[0].x + stress(1) * slope[1].y +
-                                     stress(2) * slope[2].z + stress(3) * (slope[0].y + slope[1].x) +
-                                     stress(4) * (slope[1].z + slope[2].y) +
-                                     stress(5) * (slope[2].x + slope[0].z);
-                work -= power * mesh.volume[cell] * step;
-            }
+            Lanes work = load<Lanes>(&mid_pressure_[cell]) * growth;
+            if (!fields.viscous[0].empty()) work -= viscous_work(cell, step);
             const int only = BoxContents::pure(mask) ? BoxContents::only_group(mask) : -1;
-            deform_cells<double>(fields, cell, only, mesh.volume[cell], growth, work);
+            deform_cells<Lanes>(fields, cell, only, volume, growth, work);
         }
     });
 }
@@ -101,163 +124,159 @@ double HexFluid::work_on_sides() const
     double inward = 0;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         const HexFace& face = mesh.faces[i];
+        if ((face.below != none && face.above != none) || !activity_.reaches_cells(mesh.cell_of_face(i)))
+            continue;
         if (face.below == none)
             inward += volume_flux_[i];
-        else if (face.above == none)
+        else
             inward -= volume_flux_[i];
     }
     return outside_pressure * inward;
 }
 
-/// Growth of cells comes from face_rate_; what passes a face is seen from the moving mesh.
-void HexFluid::find_face_rates(const std::array<AlignedDoubles, 3>& velocity)
+bool HexFluid::mesh_moves() const
 {
-    const auto& mesh_velocity = lagrange.mesh_velocity;
-    const bool moves = mesh_velocity[0] != 0 || mesh_velocity[1] != 0 || mesh_velocity[2] != 0;
+    const auto& velocity = lagrange.mesh_velocity;
+    return velocity[0] != 0 || velocity[1] != 0 || velocity[2] != 0;
+}
+
+/// Growth of cells comes from face_rate_; what passes a face is seen from the moving mesh.
+/// step  over which volumes pass; zero: only the rates are wanted, of faces of cells that hold fluid
+void HexFluid::find_face_rates(const std::array<AlignedDoubles, 3>& velocity, double step)
+{
+    const bool moves = mesh_moves();
+    if (moves) face_seen_.resize(face_rate_.size());
     for_chunks(mesh.faces.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; i += lane_count) {
+            if (step > 0 ? !activity_.reaches_faces(i) : BoxContents::nothing(activity_.of_faces(i)))
+                continue;
             Lanes rate{}, wind{};
             for (int n = 0; n < 4; ++n) {
-                const LaneMask nodes = places(&face_nodes_[n][i]);
+                const Places nodes = layout_.face_nodes[n].at(i);
                 for (int axis = 0; axis < 3; ++axis) {
-                    const Lanes area = load<Lanes>(&face_area_[n][axis][i]);
+                    const Lanes area = load<Lanes>(&layout_.face_area[n][axis][i]);
                     rate += area * gather(velocity[axis].data(), nodes);
-                    if (moves) wind += area * mesh_velocity[axis];
+                    if (moves) wind += area * lagrange.mesh_velocity[axis];
                 }
             }
             store(&face_rate_[i], rate);
-            store(&face_seen_[i], rate - wind);
+            if (moves) store(&face_seen_[i], rate - wind);
+            if (step > 0) store(&volume_flux_[i], step * (rate - wind));
         }
     });
 }
 
-double HexFluid::filled(std::size_t cell) const
+Lanes HexFluid::filled(Places cells) const
 {
-    double sum = 0;
-    for (const GroupFields& group : fields.groups) sum += group.fraction[cell];
+    Lanes sum{};
+    for (const GroupFields& group : fields.groups) sum += gather(group.fraction.data(), cells);
     return sum;
 }
 
-/// Leaves openness in the place of group 0's share for evaluate_cell, which changes fractions.
+/// Leaves openness in the place of group 0's share for evaluate_cells, which changes fractions.
 void HexFluid::find_openness()
 {
     for_chunks(mesh.cells(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t cell = begin; cell < end; ++cell) {
-            const Mask mask = contents_[cell];
-            if (BoxContents::nothing(mask)) continue;
-            double below[3], above[3];
-            for (int axis = 0; axis < 3; ++axis) {
-                const HexFace &low = mesh.faces[mesh.cell_faces[cell][2 * axis]],
-                              &high = mesh.faces[mesh.cell_faces[cell][2 * axis + 1]];
-                below[axis] = filled(low.below == none ? cell : low.below);
-                above[axis] = filled(high.above == none ? cell : high.above);
+        for (std::size_t cell = begin; cell < end; cell += lane_count) {
+            if (BoxContents::nothing(activity_.of_cells(cell))) continue;
+            Lanes open{};
+            if (!BoxContents::pure(activity_.around_cells(cell))) {
+                Lanes below[3], above[3], own{};
+                for (const GroupFields& group : fields.groups) own += load<Lanes>(&group.fraction[cell]);
+                for (int axis = 0; axis < 3; ++axis) {
+                    below[axis] = filled(layout_.neighbours[2 * axis].at(cell));
+                    above[axis] = filled(layout_.neighbours[2 * axis + 1].at(cell));
+                }
+                open = openness(own, below, above);
             }
-            fields.groups[0].share[cell] = openness(filled(cell), below, above);
+            store(&fields.groups[0].share[cell], open);
         }
     });
 }
 
-/// Strain of a batch of cells, or of one, and the rate at which the flow crosses it.
-template <class Lane, class FaceValue, class SeenValue>
-CellStrain<Lane> strain_of(const FaceValue& rate, const SeenValue& seen, const Lane (&width)[3], Lane volume,
-                           Lane& crossing)
+void HexFluid::calm_cells(std::size_t first)
 {
-    CellStrain<Lane> strain;
-    strain.divergence = crossing = Lane{};
-    for (int axis = 0; axis < 3; ++axis) {
-        strain.rate[axis] = (rate(2 * axis + 1) - rate(2 * axis)) / volume;
-        strain.width[axis] = width[axis];
-        strain.divergence += strain.rate[axis];
-        crossing = max(crossing, max(abs(seen(2 * axis)), abs(seen(2 * axis + 1))) / volume);
+    std::uint8_t& still = still_cells_[first / lane_count];
+    if (still) return;
+    still = 1;
+    store(&fields.pressure[first], Lanes{});
+    store(&fields.pressure_rate[first], Lanes{});
+    if (!fields.viscous[0].empty())
+        for (AlignedDoubles& component : fields.viscous) store(&component[first], Lanes{});
+}
+
+/// Viscous stress of a batch of cells; returns the rate at which it diffuses through them.
+Lanes HexFluid::stress_cells(std::size_t first)
+{
+    Lanes gradient[3][3] = {}, diffusion{};
+    for (std::size_t cell = first; cell < std::min(first + lane_count, mesh.cells()); ++cell) {
+        const std::array<Vec3, 3> slope = velocity_gradient(cell, fields.velocity);
+        for (int axis = 0; axis < 3; ++axis) {
+            gradient[axis][0][cell - first] = slope[axis].x;
+            gradient[axis][1][cell - first] = slope[axis].y;
+            gradient[axis][2][cell - first] = slope[axis].z;
+        }
     }
-    return strain;
+    store_viscous_stress<Lanes>(fields, groups, first, gradient);
+    for (const AlignedDoubles& width : layout_.width) {
+        const Lanes across = load<Lanes>(&width[first]);
+        diffusion += 1.0 / (across * across);
+    }
+    return 2 * largest_kinematic_viscosity(groups) * diffusion;
 }
 
-/// Stores the pressure of a batch of cells, or of one; returns the rate at which signals and the flow cross
-/// it.
-template <class Lane>
-Lane HexFluid::respond(std::size_t cell, const CellState<Lane>& state, const CellStrain<Lane>& strain,
-                       Lane crossing)
+/// Pressure of a batch of cells; returns the rate at which signals and the flow cross them.
+Lanes HexFluid::evaluate_cells(std::size_t first, double last_step, bool& torn)
 {
-    const CellPressure<Lane> pressure = cell_pressure(state, strain, lagrange);
-    store(&fields.pressure[cell], pressure.pressure);
-    store(&fields.pressure_rate[cell], pressure.rate);
-    const Lane shortest = min(min(strain.width[0], strain.width[1]), strain.width[2]);
-    return state.density > 0.0 ? pressure.signal / shortest + crossing : Lane{};
-}
-
-/// A batch of cells that are full of one group; false when it is none, or when some liquid is torn.
-bool HexFluid::evaluate_full(std::size_t cell, CrossingRate& limit)
-{
-    const Mask mask = contents_[cell];
-    if (!BoxContents::pure(mask) || !fields.viscous[0].empty()) return false;
-    for (std::size_t other = cell + 1; other < cell + lane_count; ++other)
-        if (contents_[other] != mask) return false;
-    const Lanes volume = load<Lanes>(&mesh.volume[cell]);
-    const auto rate = [&](int side) { return gather(face_rate_.data(), places(&cell_faces_[side][cell])); };
-    const auto seen = [&](int side) { return gather(face_seen_.data(), places(&cell_faces_[side][cell])); };
-    const Lanes width[3] = {load<Lanes>(&width_[0][cell]), load<Lanes>(&width_[1][cell]),
-                            load<Lanes>(&width_[2][cell])};
-    Lanes crossing;
-    const CellStrain<Lanes> strain = strain_of<Lanes>(rate, seen, width, volume, crossing);
-    const int group = BoxContents::only_group(mask);
-    const CellState<Lanes> state = pure_state<Lanes>(fields, groups, cell, group, volume);
-    if (lagrange.void_allowed && any((state.density > 0.0) & (state.pressure < groups[group].tension_limit)))
-        return false;
-    const Lanes rates = respond(cell, state, strain, crossing);
-    for (int lane = 0; lane < lane_count; ++lane)
-        if (rates[lane] > limit.rate) limit = {rates[lane], static_cast<std::ptrdiff_t>(cell + lane)};
-    return true;
-}
-
-CrossingRate HexFluid::evaluate_cell(std::size_t cell, double last_step, bool& torn)
-{
-    const Mask mask = contents_[cell];
-    const double volume = mesh.volume[cell];
+    const Mask mask = activity_.of_cells(first);
     if (BoxContents::nothing(mask)) {
-        fields.pressure[cell] = fields.pressure_rate[cell] = 0;
-        if (!fields.viscous[0].empty())
-            for (auto& component : fields.viscous) component[cell] = 0;
-        return {};
+        calm_cells(first);
+        return Lanes{};
     }
-    const auto& faces = mesh.cell_faces[cell];
-    const auto of_rate = [&](int side) { return face_rate_[faces[side]]; };
-    const auto of_seen = [&](int side) { return face_seen_[faces[side]]; };
-    const double width[3] = {width_[0][cell], width_[1][cell], width_[2][cell]};
-    double crossing;
-    const CellStrain<double> strain = strain_of<double>(of_rate, of_seen, width, volume, crossing);
-    const double closing = std::max(-strain.divergence, 0.0) * last_step;
-    CellState<double> state;
+    still_cells_[first / lane_count] = 0;
+    const Lanes volume = load<Lanes>(&mesh.volume[first]), per_volume = 1.0 / volume;
+    const AlignedDoubles& passing = seen();
+    CellStrain<Lanes> strain;
+    Lanes crossing{};
+    strain.divergence = Lanes{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const Places low = layout_.cell_faces[2 * axis].at(first),
+                     high = layout_.cell_faces[2 * axis + 1].at(first);
+        strain.rate[axis] = (gather(face_rate_.data(), high) - gather(face_rate_.data(), low)) * per_volume;
+        strain.width[axis] = load<Lanes>(&layout_.width[axis][first]);
+        strain.divergence += strain.rate[axis];
+        crossing = max(crossing, max(abs(gather(passing.data(), low)), abs(gather(passing.data(), high))));
+    }
+    const Lanes closing = max(-strain.divergence, Lanes{}) * last_step;
+    const auto mixed = [&] {
+        const Lanes open = lagrange.void_allowed ? load<Lanes>(&fields.groups[0].share[first]) : Lanes{};
+        return mixed_state<Lanes>(fields, groups, lagrange.void_allowed, first, volume, open, closing);
+    };
+    CellState<Lanes> state;
     if (BoxContents::pure(mask)) {
         const int group = BoxContents::only_group(mask);
-        state = pure_state<double>(fields, groups, cell, group, volume);
-        if (lagrange.void_allowed && state.density > 0 && state.pressure < groups[group].tension_limit) {
-            // Void opens inside the liquid.
-            state = mixed_state<double>(fields, groups, true, cell, volume, fields.groups[0].share[cell],
-                                        closing);
+        state = pure_state<Lanes>(fields, groups, first, group, volume);
+        if (lagrange.void_allowed &&
+            any((state.density > 0.0) & (state.pressure < groups[group].tension_limit))) {
+            state = mixed(); // void opens inside the liquid
             torn = true;
         }
     } else {
-        state = mixed_state<double>(fields, groups, lagrange.void_allowed, cell, volume,
-                                    fields.groups[0].share[cell], closing);
+        state = mixed();
     }
-    double rate = respond(cell, state, strain, crossing);
-    if (!fields.viscous[0].empty()) {
-        double diffusion = 0;
-        for (const double across : width) diffusion += 1 / (across * across);
-        if (rate > 0) rate += 2 * largest_kinematic_viscosity(groups) * diffusion;
-        const std::array<Vec3, 3> slope = velocity_gradient(cell, fields.velocity);
-        const double gradient[3][3] = {{slope[0].x, slope[0].y, slope[0].z},
-                                       {slope[1].x, slope[1].y, slope[1].z},
-                                       {slope[2].x, slope[2].y, slope[2].z}};
-        store_viscous_stress<double>(fields, groups, cell, gradient);
-    }
-    return {rate, static_cast<std::ptrdiff_t>(cell)};
+    const CellPressure<Lanes> pressure = cell_pressure(state, strain, lagrange);
+    store(&fields.pressure[first], pressure.pressure);
+    store(&fields.pressure_rate[first], pressure.rate);
+    const Lanes shortest = min(min(strain.width[0], strain.width[1]), strain.width[2]);
+    Lanes rate = pressure.signal / shortest + crossing * per_volume;
+    if (!fields.viscous[0].empty()) rate += stress_cells(first);
+    return state.density > 0.0 ? rate : Lanes{};
 }
 
 CrossingRate HexFluid::evaluate(double last_step)
 {
-    find_face_rates(fields.velocity);
+    activity_.spread();
+    find_face_rates(fields.velocity, 0);
     if (lagrange.void_allowed) find_openness();
     struct Result {
         CrossingRate limit;
@@ -267,12 +286,11 @@ CrossingRate HexFluid::evaluate(double last_step)
     for_chunks(mesh.cells(), [&](std::size_t begin, std::size_t end) {
         Result& result = results[begin / chunk_length];
         for (std::size_t first = begin; first < end; first += lane_count) {
-            const std::size_t last = std::min<std::size_t>(first + lane_count, end);
-            if (last - first == lane_count && evaluate_full(first, result.limit)) continue;
-            for (std::size_t cell = first; cell < last; ++cell) {
-                const CrossingRate own = evaluate_cell(cell, last_step, result.torn);
-                if (own.rate > result.limit.rate) result.limit = own;
-            }
+            const Lanes rates = evaluate_cells(first, last_step, result.torn);
+            if (!any(rates > result.limit.rate)) continue;
+            for (int lane = 0; lane < lane_count; ++lane)
+                if (rates[lane] > result.limit.rate)
+                    result.limit = {rates[lane], static_cast<std::ptrdiff_t>(first + lane)};
         }
     });
     CrossingRate limit;

@@ -271,8 +271,11 @@ void make_faces(HexMesh& mesh, const Neighbours& neighbours)
     sorted.reserve(mesh.faces.size());
     for (int wanted = 0; wanted < mesh.directions; ++wanted) {
         mesh.first_face.push_back(sorted.size());
-        for (std::size_t face = 0; face < mesh.faces.size(); ++face)
-            if (direction[face] == wanted) sorted.push_back(mesh.faces[face]);
+        // Those at the beginning of chords first: then the others are numbered as the cells below them.
+        for (const bool first : {true, false})
+            for (std::size_t face = 0; face < mesh.faces.size(); ++face)
+                if (direction[face] == wanted && (mesh.faces[face].below == none) == first)
+                    sorted.push_back(mesh.faces[face]);
     }
     mesh.first_face.push_back(sorted.size());
     mesh.faces = std::move(sorted);

@@ -107,14 +107,15 @@ void add_edges(const HexMesh& mesh, HexSweep& sweep, int direction)
              ++i, ++part) {
             if (part == sweep.around_edge.size()) sweep.around_edge.emplace_back();
             HexSweep::Part& column = sweep.around_edge[part];
-            column.member.resize(edge, 0);
+            column.member.place.resize(edge, 0);
             column.sign.resize(edge, 0.0);
-            column.member.push_back(raw[i].member);
+            column.member.place.push_back(raw[i].member);
             column.sign.push_back(raw[i].below == first.below ? 1.0 : -1.0);
         }
     }
     for (HexSweep::Part& column : sweep.around_edge) {
-        column.member.resize(padded(sweep.edges.size), 0);
+        column.member.place.resize(sweep.edges.size, 0);
+        column.member.pad(0);
         column.sign.resize(padded(sweep.edges.size), 0.0);
     }
     sweep.edges.pad();
@@ -122,25 +123,52 @@ void add_edges(const HexMesh& mesh, HexSweep& sweep, int direction)
 
 void add_nodes(const HexMesh& mesh, HexSweep& sweep)
 {
-    std::vector<std::vector<HexSweep::Flow>> flows(mesh.nodes());
+    const std::vector<Index>&from = sweep.edges.place[1].place, &to = sweep.edges.place[2].place;
+    std::vector<Index> position(mesh.nodes(), none);
+    for (std::size_t edge = 0; edge < sweep.edges.size; ++edge) position[from[edge]] = position[to[edge]] = 0;
+    for (std::size_t node = 0; node < mesh.nodes(); ++node) {
+        if (position[node] == none) continue;
+        position[node] = static_cast<Index>(sweep.nodes.place.size());
+        sweep.nodes.place.push_back(static_cast<Index>(node));
+    }
+    const std::size_t count = sweep.nodes.place.size();
+    // Edges that leave stand in the first column and those that come in in the second one, so that rows of
+    // nodes name rows of edges; only where chords meet in another way does a node need more.
+    const auto give = [&](Index node, std::size_t edge, double sign, std::size_t column) {
+        const Index at = position[node];
+        while (true) {
+            if (column >= sweep.at_node.size()) sweep.at_node.resize(column + 1);
+            HexSweep::Flow& flow = sweep.at_node[column];
+            flow.edge.place.resize(count, 0);
+            flow.sign.resize(padded(count), 0.0);
+            if (flow.sign[at] == 0) {
+                flow.edge.place[at] = static_cast<Index>(edge);
+                flow.sign[at] = sign;
+                return;
+            }
+            column = std::max<std::size_t>(column + 1, 2);
+        }
+    };
     for (std::size_t edge = 0; edge < sweep.edges.size; ++edge) {
-        flows[sweep.edges.place[1][edge]].push_back({static_cast<Index>(edge), -1, false});
-        flows[sweep.edges.place[2][edge]].push_back({static_cast<Index>(edge), 1, false});
+        give(from[edge], edge, -1, 0);
+        give(to[edge], edge, 1, 1);
+    }
+    for (HexSweep::Flow& flow : sweep.at_node) {
+        for (std::size_t at = 1; at < count; ++at)
+            if (flow.sign[at] == 0)
+                flow.edge.place[at] =
+                    std::min(flow.edge.place[at - 1] + 1, static_cast<Index>(sweep.edges.size) - 1);
+        flow.edge.pad(0);
     }
     for (std::size_t entry = 0; entry < sweep.lines.size; ++entry) {
-        const HexFace& face = mesh.faces[sweep.first_face + entry];
+        const std::size_t number = sweep.first_face + entry;
+        const HexFace& face = mesh.faces[number];
         if (face.below != none && face.above != none) continue;
         for (Index node : face.nodes)
-            flows[node].push_back(
-                {static_cast<Index>(sweep.first_face + entry), face.below == none ? 1.0 : -1.0, true});
+            sweep.ends.push_back(
+                {position[node], static_cast<Index>(number), face.below == none ? 1.0 : -1.0});
     }
-    sweep.at_node.first.push_back(0);
-    for (std::size_t node = 0; node < flows.size(); ++node) {
-        if (flows[node].empty()) continue;
-        sweep.nodes.push_back(static_cast<Index>(node));
-        sweep.at_node.entries.insert(sweep.at_node.entries.end(), flows[node].begin(), flows[node].end());
-        sweep.at_node.first.push_back(sweep.at_node.entries.size());
-    }
+    sweep.nodes.pad(static_cast<Index>(mesh.nodes()));
 }
 
 } // namespace
@@ -152,8 +180,15 @@ std::vector<HexSweep> make_hex_sweeps(const HexMesh& mesh)
         HexSweep& sweep = sweeps[direction];
         for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
             const int axis = axis_along(mesh, static_cast<Index>(cell), direction);
-            if (axis < 3) sweep.members.push_back({static_cast<Index>(cell), axis});
+            if (axis == 3) continue;
+            sweep.members.push_back({static_cast<Index>(cell), axis});
+            sweep.member_cell.place.push_back(static_cast<Index>(cell));
+            sweep.low_face.place.push_back(mesh.cell_faces[cell][2 * axis]);
+            sweep.high_face.place.push_back(mesh.cell_faces[cell][2 * axis + 1]);
         }
+        sweep.member_cell.pad(static_cast<Index>(mesh.cells()));
+        sweep.low_face.pad(static_cast<Index>(mesh.first_face[direction]));
+        sweep.high_face.pad(static_cast<Index>(mesh.first_face[direction]));
         sweep.first_face = mesh.first_face[direction];
         for (std::size_t face = mesh.first_face[direction]; face < mesh.first_face[direction + 1]; ++face)
             add_line(mesh, sweep, mesh.faces[face], direction);

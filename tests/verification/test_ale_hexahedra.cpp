@@ -268,7 +268,8 @@ TEST(AleHexahedra, UniformFlowStaysUniform)
         density = std::max(density,
                            std::abs(fluid.fields.groups[0].mass[cell] / fluid.mesh.volume[cell] / 1.2 - 1));
     for (int axis = 0; axis < 3; ++axis)
-        for (double v : fluid.fields.velocity[axis]) velocity = std::max(velocity, std::abs(v - flow[axis]));
+        for (std::size_t node = 0; node < fluid.node_count(); ++node)
+            velocity = std::max(velocity, std::abs(fluid.fields.velocity[axis][node] - flow[axis]));
     EXPECT_LT(density, 1e-11);
     EXPECT_LT(velocity, 1e-11);
     const FluidEnergies& energies = fluid.energies();

@@ -1,0 +1,112 @@
+#include "ale/hex/hex_layout.h"
+
+#include <algorithm>
+
+namespace plash {
+
+namespace {
+
+void lay_out_nodes(HexLayout& layout, const HexMesh& mesh)
+{
+    const std::size_t nodes = padded(mesh.nodes() + 1);
+    const auto nobody = static_cast<Index>(mesh.cells());
+    layout.corner_count.resize(nodes, 1.0);
+    for (std::size_t node = 0; node < mesh.nodes(); ++node) {
+        const std::size_t begin = mesh.first_corner[node], end = mesh.first_corner[node + 1];
+        layout.corner_count[node] = static_cast<double>(end - begin);
+        for (std::size_t i = begin; i < end; ++i) {
+            const Index cell = mesh.node_corner[i] / 8, corner = mesh.node_corner[i] % 8;
+            // Its own number, unless another cell has that already.
+            std::size_t column = corner;
+            while (column < layout.corners.size() && layout.corners[column].cell.place[node] != nobody)
+                column = std::max<std::size_t>(column + 1, 8);
+            while (column >= layout.corners.size()) {
+                HexLayout::Corner& added = layout.corners.emplace_back();
+                added.cell.place.resize(mesh.nodes(), nobody);
+                for (AlignedDoubles& component : added.area) component.resize(nodes, 0.0);
+            }
+            HexLayout::Corner& own = layout.corners[column];
+            own.cell.place[node] = cell;
+            Vec3 area{};
+            for (int axis = 0; axis < 3; ++axis) {
+                const int side = corner >> axis & 1;
+                const HexFace& face = mesh.faces[mesh.cell_faces[cell][2 * axis + side]];
+                const auto there = std::find(face.nodes.begin(), face.nodes.end(), static_cast<Index>(node));
+                area += (side == 1 ? 1.0 : -1.0) * face.area[there - face.nodes.begin()];
+            }
+            own.area[0][node] = area.x;
+            own.area[1][node] = area.y;
+            own.area[2][node] = area.z;
+        }
+    }
+    for (HexLayout::Corner& corner : layout.corners) {
+        corner.cell.place.resize(nodes, nobody);
+        corner.cell.pad(nobody);
+    }
+    for (AlignedDoubles& component : layout.outer_area) component.resize(nodes, 0.0);
+    for (const HexFace& face : mesh.faces) {
+        if (face.below != none && face.above != none) continue;
+        const double outward = face.above == none ? 1 : -1;
+        for (int n = 0; n < 4; ++n) {
+            layout.outer_area[0][face.nodes[n]] += outward * face.area[n].x;
+            layout.outer_area[1][face.nodes[n]] += outward * face.area[n].y;
+            layout.outer_area[2][face.nodes[n]] += outward * face.area[n].z;
+        }
+    }
+}
+
+void lay_out_faces(HexLayout& layout, const HexMesh& mesh)
+{
+    for (int n = 0; n < 4; ++n) {
+        for (AlignedDoubles& component : layout.face_area[n])
+            component.resize(padded(mesh.faces.size()), 0.0);
+        for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+            const Vec3& area = mesh.faces[i].area[n];
+            layout.face_nodes[n].place.push_back(mesh.faces[i].nodes[n]);
+            layout.face_area[n][0][i] = area.x;
+            layout.face_area[n][1][i] = area.y;
+            layout.face_area[n][2][i] = area.z;
+        }
+        layout.face_nodes[n].pad(0);
+    }
+}
+
+void lay_out_cells(HexLayout& layout, const HexMesh& mesh)
+{
+    const std::size_t cells = padded(mesh.cells() + 1);
+    for (int side = 0; side < 6; ++side) {
+        PlaceList &faces = layout.cell_faces[side], &neighbours = layout.neighbours[side];
+        for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+            const Index number = mesh.cell_faces[cell][side];
+            const Index next = side % 2 == 0 ? mesh.faces[number].below : mesh.faces[number].above;
+            faces.place.push_back(number);
+            neighbours.place.push_back(next == none ? static_cast<Index>(cell) : next);
+        }
+        faces.place.resize(cells, 0);
+        faces.pad(0);
+        neighbours.place.resize(cells, static_cast<Index>(mesh.cells()));
+        neighbours.pad(0);
+    }
+    for (int corner = 0; corner < 8; ++corner) {
+        for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+            layout.cell_nodes[corner].place.push_back(mesh.corners[cell][corner]);
+        layout.cell_nodes[corner].place.resize(cells, static_cast<Index>(mesh.nodes()));
+        layout.cell_nodes[corner].pad(0);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        layout.width[axis].resize(cells, 1.0);
+        for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+            layout.width[axis][cell] = mesh.width[cell][axis];
+    }
+}
+
+} // namespace
+
+HexLayout::HexLayout(const HexMesh& mesh)
+{
+    lay_out_nodes(*this, mesh);
+    lay_out_faces(*this, mesh);
+    lay_out_cells(*this, mesh);
+}
+
+} // namespace plash
