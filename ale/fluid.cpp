@@ -35,8 +35,18 @@ void Fluid::keep_ambient(std::vector<std::ptrdiff_t> places)
 
 void Fluid::close(const DryFace& face)
 {
-    for (std::size_t g = 0; g < groups.size(); ++g)
-        if (face.fluids >> g & 1) fields.groups[g].share_of_outflow[face.side][face.cell] = 0;
+    // A full cell gives whatever leaves it: shares count only where there is an interface. So little void is
+    // one, and is gone again with the first fluid that comes in.
+    constexpr double nearly_full = 1 - 5e-13;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        if (!(face.fluids >> g & 1)) continue;
+        GroupFields& own = fields.groups[g];
+        if (own.fraction[face.cell] >= 1) {
+            own.fraction[face.cell] = nearly_full;
+            for (AlignedDoubles& side : own.share_of_outflow) side[face.cell] = 1;
+        }
+        own.share_of_outflow[face.side][face.cell] = 0;
+    }
 }
 
 void Fluid::start()

@@ -50,7 +50,7 @@ void DryFaces::add_cell(const Fluid& fluid, const Point& point, unsigned fluids)
     const std::ptrdiff_t place = fluid.place_of(point.place);
     if (entry_[place] != none) return;
     const double own = filled(fluid, place, fluids);
-    if (!(own > 0) || own >= 1) return;
+    if (!(own > 0)) return;
     Cell cell{place, point.position, fluid.edges(point.place), {}, {}};
     bool any_open = false;
     for (int face = 0; face < 6; ++face) {
