@@ -102,7 +102,7 @@ void EulerianFluid::find_loaded_nodes()
     }
     for (std::size_t number = 0; number < block_.nodes.size(); ++number)
         if (loaded[block_.nodes[number]]) loaded_nodes_.push_back(number);
-    if (!loaded_nodes_.empty() && motion_.kind != MeshMotion::Kind::none)
+    if (!loaded_nodes_.empty() && motion_.moves())
         throw DeckError(*where, "a load acts on nodes of an Eulerian mesh that moves; there it has no work");
 }
 
@@ -151,13 +151,13 @@ void EulerianFluid::start(State& state)
 void EulerianFluid::add_forces(const Clock& clock, State& state)
 {
     if (!started_) start(state);
-    if (motion_.kind != MeshMotion::Kind::none) move_mesh(clock, state);
+    if (motion_.moves()) move_mesh(clock, state);
 }
 
 /// The loop carries the nodes; the grid follows in after_motion.
 void EulerianFluid::move_mesh(const Clock& clock, State& state)
 {
-    const std::array<double, 3> velocity = motion_.velocity(model_, *fluid_, clock.time);
+    const std::array<double, 3> velocity = motion_.velocity(model_, *fluid_, state.velocity, clock.time);
     fluid_->lagrange.mesh_velocity = velocity;
     for (Index node : block_.nodes) state.velocity[node] = {velocity[0], velocity[1], velocity[2]};
 }

@@ -239,6 +239,62 @@ TEST(AleDeck, MeshFollowsTheMass)
     EXPECT_LT(run.scene().ledger.balance_error(), 1e-9);
 }
 
+// A mesh that stands, then moves by a curve, then goes with the first node of a rigid plate (PRTYPE 6 with 0,
+// 3 and 5 one after the other); the liquid is seen to stand still in space. The plate's speed rises in the
+// first third of 0.03 s from 0 to 4, the curve gives 2 in the second: the mesh goes 0.01 x 2 + 0.01 x 4.
+TEST(AleDeck, MeshFollowsANodeWhenItsTimeHasCome)
+{
+    int first = 100000;
+    EulerianRun run(testing::structured_mesh({0, 0, 0}, {1, 1, 1}, {16, 8, 8}) +
+                    testing::liquid_and_void(1000, 20) +
+                    "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n6,0,1\n0.5,0.5,0.5,0.3\n"
+                    "*PART\nplate\n20,20,20\n*SECTION_SHELL\n20,2\n0.01,0.01,0.01,0.01\n"
+                    "*MAT_RIGID\n20,7800,2e11,0.3\n1,5,7\n\n" +
+                    testing::shell_patch(20, first, {0, 2, 0}, {1, 0, 0}, {0, 0, 1}, 1, 1) +
+                    "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n20,1,0,2\n*DEFINE_CURVE\n2\n0,0\n0.01,4\n1,4\n"
+                    "*DEFINE_CURVE\n3\n0,2\n1,2\n"
+                    "*ALE_REFERENCE_SYSTEM_GROUP\n10,1,6,4,0,0,7\n"
+                    "*ALE_REFERENCE_SYSTEM_SWITCH\n4\n0.01,0.02\n0,3,5\n0,6,7\n"
+                    "*ALE_REFERENCE_SYSTEM_CURVE\n6\n3\n\n*ALE_REFERENCE_SYSTEM_NODE\n7\n100000\n\n"
+                    "*CONTROL_ALE\n-1,1,2,-1\n*CONTROL_TERMINATION\n0.03\n*CONTROL_TIMESTEP\n0,0.2\n*END\n");
+    const BoxFluid& fluid = run.term<EulerianFluid>().box();
+    double step = 0;
+    run.run([&](const Clock& clock, const State&) {
+        step = std::max(step, clock.step);
+        if (clock.time < 0.01) {
+            EXPECT_EQ(fluid.grid.planes(0).front(), 0);
+        }
+    });
+    // Each change comes with the cycle that follows it.
+    EXPECT_NEAR(fluid.grid.planes(0).front(), 0.06, 4 * step);
+    EXPECT_EQ(fluid.grid.planes(1).front(), 0);
+    Vec3 middle{};
+    const double mass = fluid.total_mass(0);
+    for (int k = 0; k < 8; ++k)
+        for (int j = 0; j < 8; ++j)
+            for (int i = 0; i < 16; ++i)
+                middle += (fluid.fields.groups[0].mass[fluid.grid.at(i, j, k)] / mass) *
+                          Vec3{fluid.grid.centre(0, i), fluid.grid.centre(1, j), fluid.grid.centre(2, k)};
+    EXPECT_NEAR(middle.x, 0.5, 2e-3);
+    EXPECT_NEAR(middle.y, 0.5, 1e-9);
+}
+
+// A reference system of nodes turns; a mesh does not, and BCROT = 7 must say so.
+TEST(AleDeck, MeshThatWouldHaveToTurnIsRefused)
+{
+    const auto deck = [](int held, int type) {
+        return testing::structured_mesh({0, 0, 0}, {1, 1, 1}, {2, 2, 2}) +
+               testing::liquid_and_void(1000, 100) +
+               fmt::format("*ALE_REFERENCE_SYSTEM_GROUP\n10,1,{},7,0,0,{}\n\n"
+                           "*ALE_REFERENCE_SYSTEM_NODE\n7\n1,2,3\n\n",
+                           type, held) +
+               testing::closed(1);
+    };
+    EXPECT_NO_THROW(EulerianRun(deck(7, 5)));
+    EXPECT_THROW(EulerianRun(deck(0, 5)), DeckError);
+    EXPECT_THROW(EulerianRun(deck(7, 1)), DeckError); // a Lagrangian mesh
+}
+
 // A container fills the cells that its surface cuts with fluid of its own velocity; the empty rest of them
 // has none and slows nothing.
 TEST(AleDeck, ContainersMoveAllThatTheyFill)
