@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace plash {
 
@@ -19,13 +20,19 @@ Curve read_points(const Record& record)
     return flow_points(record, 8);
 }
 
+/// A curve may begin at zero, as crush curves of foams do: then every strain is plastic from the first on,
+/// and any flow hardens.
 void check_yield_curve(const Record& record, const NamedCurve& curve)
 {
-    const auto bad = std::find_if(curve.curve.ordinate.begin(), curve.curve.ordinate.end(),
-                                  [](double stress) { return !(stress > 0); });
-    if (bad == curve.curve.ordinate.end()) return;
-    reject_field(record, "LCSS",
-                 fmt::format("curve {} gives the yield stress {}, which is not positive", curve.id, *bad));
+    const auto& [strain, stress] = std::tie(curve.curve.abscissa, curve.curve.ordinate);
+    for (std::size_t i = 0; i < stress.size(); ++i) {
+        const bool may_be_zero = strain[i] <= 0 && i + 1 < stress.size();
+        if (stress[i] > 0 || (may_be_zero && stress[i] == 0)) continue;
+        reject_field(record, "LCSS",
+                     fmt::format("curve {} gives the yield stress {} at the plastic strain {}; it has to be "
+                                 "positive, but for zero at no strain",
+                                 curve.id, stress[i], strain[i]));
+    }
 }
 
 /// LCSS: a curve, or a table of curves over the strain rate (its values are logarithms when the first is

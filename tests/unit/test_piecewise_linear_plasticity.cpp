@@ -24,6 +24,8 @@ Model model_with_curves()
     model.curves.push_back({10, "", {}, Curve{{0, 0.1, 0.3}, {0.3, 0.4, 0.45}}});
     model.curves.push_back({11, "", {}, Curve{{0, 0.1, 0.3}, {0.6, 0.8, 0.9}}});
     model.curves.push_back({12, "", {}, Curve{{0, 100}, {1, 3}}}); // factor over strain rate
+    model.curves.push_back({13, "", {}, Curve{{0, 0.05, 0.1, 0.2}, {0, 0.2, 0.6, 3}}});
+    model.curves.push_back({14, "", {}, Curve{{0, 0.05, 0.1}, {0, 0, 0.6}}});
     NamedTable table;
     table.id = 20;
     table.abscissa = {1e-3, 10};
@@ -147,6 +149,65 @@ TEST(PiecewiseLinearPlasticity, FollowsPointsAndCurves)
             const double second = point.plastic_strain();
             EXPECT_GT(second, 0.35);
             EXPECT_NEAR(point.stress.xx, 0.45 + 0.25 * (second - 0.3), 1e-10);
+        }
+    }
+}
+
+/// A crush curve from zero on, in a uniaxial cycle. By hand, with isotropic hardening and strain e from the
+/// start of each way: |s| = curve(p), p grown by e less the elastic way (|s| + |s at the turn|) / E.
+TEST(PiecewiseLinearPlasticity, CurvesMayBeginAtZero)
+{
+    for (const auto& more : {std::vector<std::pair<const char*, double>>{{"LCSS", 13}},
+                             {{"LCSS", 13}, {"C", 1e300}, {"P", 4}},
+                             {{"LCSS", 13}, {"C", 1e300}, {"P", 4}, {"VP", 1}, {"SIGY", 0}}}) {
+        const Law law = law_of(more);
+        const Curve curve{{0, 0.05, 0.1, 0.2}, {0, 0.2, 0.6, 3}};
+        for (bool shell : {false, true}) {
+            Point point(law);
+            double plastic = 0, turn = 0;
+            for (const double way : {0.03, -0.05, 0.04, -1e-9}) {
+                stretch(law, point, way, 25, 1, shell);
+                double low = plastic, high = plastic + 1; // bisection on the plastic strain at the end
+                const auto excess = [&](double p) {
+                    return p - plastic + (curve(p) + std::abs(turn)) / young_modulus - std::abs(way);
+                };
+                if (excess(plastic) >= 0) { // elastic
+                    EXPECT_NEAR(point.stress.xx, turn + young_modulus * way, 1e-12);
+                    continue;
+                }
+                for (int i = 0; i < 100; ++i)
+                    (excess(0.5 * (low + high)) > 0 ? high : low) = 0.5 * (low + high);
+                plastic = low;
+                turn = std::copysign(curve(plastic), way);
+                EXPECT_NEAR(point.stress.xx, turn, 1e-10);
+                EXPECT_NEAR(point.plastic_strain(), plastic, 1e-10);
+            }
+        }
+    }
+    EXPECT_THROW(law_of({{"LCSS", 14}}), DeckError); // no stress at 5 %
+}
+
+TEST(PiecewiseLinearPlasticity, AVirginPointWithoutStrengthBearsNothingAtRest)
+{
+    const Law law = law_of({{"LCSS", 13}});
+    for (double strain : {0.0, 1e-30, 1e-12, 0.4}) {
+        Point solid(law), shell(law), beam(law);
+        Tensor increment{strain, 0, 0, 0.5 * strain, 0, 0}, plane = increment;
+        law.update(solid.stress, increment, HistoryView<double>{solid.history.data()}, 1);
+        law.update_plane_stress(shell.stress, plane, HistoryView<double>{shell.history.data()}, 1);
+        double stress[3] = {};
+        law.update_beam(stress, strain, strain, 0.0, HistoryView<double>{beam.history.data()}, 1);
+        const auto mises = [](const Tensor& s) {
+            const Tensor d = deviator(s);
+            return std::sqrt(1.5 * contract(d, d));
+        };
+        EXPECT_NEAR(mises(solid.stress), law.hardening(solid.plastic_strain(), 0.0).stress,
+                    1e-7 * strain); // near of return_parameter, squared by its last step
+        EXPECT_NEAR(mises(shell.stress), law.hardening(shell.plastic_strain(), 0.0).stress, 1e-7 * strain);
+        EXPECT_NEAR(std::sqrt(stress[0] * stress[0] + 3 * stress[1] * stress[1]),
+                    law.hardening(beam.plastic_strain(), 0.0).stress, 1e-7 * strain);
+        if (strain == 0) {
+            EXPECT_EQ(solid.plastic_strain() + shell.plastic_strain() + beam.plastic_strain(), 0);
         }
     }
 }
