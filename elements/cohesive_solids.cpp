@@ -90,7 +90,49 @@ CohesiveSolids::CohesiveSolids(const Model& model, Index part, std::vector<Index
       constants_(static_cast<std::size_t>(patches_.batch_count()) * points * constant_size),
       lost_(patches_.patches.size())
 {
+    with_arms_ = model.sections[model.parts[part].section].integer("ELFORM") == 20;
+    if (with_arms_) start_arms(state);
     start(state);
+}
+
+/// The layer stands at COHOFF between the nodes 1-4 (-1) and 5-8 (1).
+void CohesiveSolids::start_arms(State& state)
+{
+    const Record& section = model_.sections[model_.parts[part_].section];
+    const double place = section.real("COHOFF");
+    if (!(place >= -1 && place <= 1)) {
+        throw DeckError(
+            section.where,
+            fmt::format("*SECTION_SOLID {}, field COHOFF: {} is not between -1 and 1", section.id, place));
+    }
+    state.need_rotation();
+    arms_.resize(static_cast<std::size_t>(patches_.batch_count()) * 8);
+    for (const Patches::Patch& patch : patches_.patches) {
+        for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
+            for (int lane = 0; lane < lane_count; ++lane) {
+                const std::size_t element = static_cast<std::size_t>(batch) * lane_count + lane;
+                for (int i = 0; i < 4; ++i) {
+                    const Vec3 across = state.position[corner(patch, element, i + 4)] -
+                                        state.position[corner(patch, element, i)];
+                    for (int side : {0, 1}) {
+                        const Vec3 arm = (0.5 * (1 + place) - side) * across;
+                        Vector3<Lanes>& kept = arms_[static_cast<std::size_t>(batch) * 8 + i + 4 * side];
+                        kept.x[lane] = arm.x;
+                        kept.y[lane] = arm.y;
+                        kept.z[lane] = arm.z;
+                    }
+                }
+            }
+        }
+    }
+}
+
+Vec3 CohesiveSolids::arm(std::size_t place, int corner) const
+{
+    if (!with_arms_) return {};
+    const Vector3<Lanes>& kept = arms_[place / lane_count * 8 + corner];
+    const auto lane = static_cast<int>(place % lane_count);
+    return {kept.x[lane], kept.y[lane], kept.z[lane]};
 }
 
 Index CohesiveSolids::corner(const Patches::Patch& patch, std::size_t place, int corner) const
@@ -109,6 +151,8 @@ void CohesiveSolids::start(State& state)
                 const std::size_t place = static_cast<std::size_t>(batch) * lane_count + lane;
                 Vec3 x[8];
                 for (int i = 0; i < 8; ++i) x[i] = state.position[corner(patch, place, i)];
+                const Vec3 across = x[4] + x[5] + x[6] + x[7] - (x[0] + x[1] + x[2] + x[3]);
+                for (int i = 0; i < 8; ++i) x[i] += arm(place, i);
                 const Tensor3<double> axes = surface_axes(x);
                 double whole = 0, thickness = 0;
                 for (int point = 0; point < points; ++point) {
@@ -120,7 +164,7 @@ void CohesiveSolids::start(State& state)
                     c[gap_y][lane] = gap.y;
                     c[gap_z][lane] = gap.z;
                     whole += c[area][lane];
-                    thickness += c[area][lane] * gap.z;
+                    thickness += c[area][lane] * (with_arms_ ? 0.25 * (axes * across).z : gap.z);
                 }
                 if (!(whole > 0)) {
                     throw DeckError(model_.parts[part_].where,
@@ -150,9 +194,14 @@ void CohesiveSolids::vote(const State& state)
             for (int lane = 0; lane < patches_.active_lanes(batch); ++lane) {
                 const std::size_t place = static_cast<std::size_t>(batch) * lane_count + lane;
                 for (int i = 0; i < 4; ++i) {
-                    const double low = state.mass[corner(patch, place, i)];
-                    const double high = state.mass[corner(patch, place, i + 4)];
-                    const double softness = (low > 0 ? 1 / low : 0) + (high > 0 ? 1 / high : 0);
+                    double softness = 0;
+                    for (int end : {i, i + 4}) {
+                        const Index node = corner(patch, place, end);
+                        const Vec3 lever = arm(place, end);
+                        const double mass = state.mass[node], inertia = with_arms_ ? state.inertia[node] : 0;
+                        if (mass > 0) softness += 1 / mass;
+                        if (inertia > 0) softness += dot(lever, lever) / inertia;
+                    }
                     const Lanes* c =
                         &constants_[(static_cast<std::size_t>(batch) * points + i) * constant_size];
                     const double square =
@@ -170,7 +219,7 @@ void CohesiveSolids::vote(const State& state)
 void CohesiveSolids::add_forces(const Clock& clock, State& state)
 {
     if (!vote_known_ || vote_.element == 0) vote(state);
-    patches_.for_each(state, false,
+    patches_.for_each(state, with_arms_,
                       [&](std::ptrdiff_t number, const Patches::Patch& patch, NodeCopies& nodes) {
                           lost_[number].clear();
                           const Index end = patch.first_batch + patch.batch_count;
@@ -198,6 +247,19 @@ void CohesiveSolids::add_batch_forces(Index batch, double time_step, NodeCopies&
         position[i] = load_corner<Lanes>(nodes.position.data(), patches_.corner_offsets(batch, i));
         velocity[i] = load_corner<Lanes>(nodes.velocity.data(), patches_.corner_offsets(batch, i));
     }
+    Vector3<Lanes>* const arms = with_arms_ ? &arms_[static_cast<std::size_t>(batch) * 8] : nullptr;
+    if (arms && time_step > 0) {
+        // The layer's sides go with the arms; velocities become those of the sides over the step.
+        for (int i = 0; i < 8; ++i) {
+            const auto spin =
+                load_corner<Lanes>(nodes.angular_velocity.data(), patches_.corner_offsets(batch, i));
+            const Vector3<Lanes> before = arms[i];
+            arms[i] = incremental_rotation(broadcast<Lanes>(0.5 * time_step) * spin) * before;
+            velocity[i] += broadcast<Lanes>(1 / time_step) * (arms[i] - before);
+        }
+    }
+    if (arms)
+        for (int i = 0; i < 8; ++i) position[i] += arms[i];
     Lanes* history = history_of(batch);
     const Lanes here = history[alive];
     const Tensor3<Lanes> axes = surface_axes(position);
@@ -232,6 +294,9 @@ void CohesiveSolids::add_batch_forces(Index batch, double time_step, NodeCopies&
     }
     for (int i = 0; i < 8; ++i)
         add_corner(nodes.force.data(), patches_.corner_offsets(batch, i), force[i], active);
+    if (!arms) return;
+    for (int i = 0; i < 8; ++i)
+        add_corner(nodes.moment.data(), patches_.corner_offsets(batch, i), cross(arms[i], force[i]), active);
 }
 
 void CohesiveSolids::report(EnergyLedger& ledger) const
@@ -259,7 +324,7 @@ void CohesiveSolids::collect(const State& state, ElementResults& results) const
                 const bool gone = history[alive][lane] == 0;
                 if (!results.solid_deleted.empty()) results.solid_deleted[row] = gone;
                 Vec3 x[8];
-                for (int i = 0; i < 8; ++i) x[i] = state.position[corner(patch, place, i)];
+                for (int i = 0; i < 8; ++i) x[i] = state.position[corner(patch, place, i)] + arm(place, i);
                 const Tensor3<double> axes = surface_axes(x);
                 Vec3 t{};
                 double whole = 0, mean_damage = 0;
@@ -299,18 +364,10 @@ std::vector<std::unique_ptr<Term>> make_cohesive_solids(const Model& model, Stat
     for (std::size_t i = 0; i < elements.size(); ++i) {
         if (elements[i].empty()) continue;
         const Part& part = model.parts[i];
-        const Record& section = model.sections[part.section];
-        if (section.integer("ELFORM") != 19) {
-            throw DeckError(
-                section.where,
-                fmt::format("*SECTION_SOLID {}, field ELFORM: the cohesive element with offsets for "
-                            "shells (20) is not supported for part {}; 19 is",
-                            section.id, part.id));
-        }
         if (part.material == none || model.materials[part.material].keyword != "MAT_COHESIVE_MIXED_MODE") {
             throw DeckError(
                 part.where,
-                fmt::format("*PART {}: cohesive elements (ELFORM 19) have *MAT_COHESIVE_MIXED_MODE",
+                fmt::format("*PART {}: cohesive elements (ELFORM 19, 20) have *MAT_COHESIVE_MIXED_MODE",
                             part.id));
         }
         terms.push_back(

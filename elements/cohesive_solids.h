@@ -13,13 +13,15 @@ namespace plash {
 /// Whether a part's section asks for cohesive elements (*SECTION_SOLID ELFORM 19, 20).
 bool is_cohesive(const Model&, Index part);
 
-/// Cohesive elements of one part (ELFORM 19): a surface between the nodes 1 to 4 and 5 to 8 of a solid, which
-/// may lie upon one another. Four points; tractions of the law act on the area at the start along the axes of
-/// the middle surface: n normal to its diagonals, x along side 1-2.
+/// Cohesive elements of one part (ELFORM 19, 20): a surface between the nodes 1 to 4 and 5 to 8 of a solid,
+/// which may lie upon one another. Four points; tractions of the law act on the area at the start along the
+/// axes of the middle surface: n normal to its diagonals, x along side 1-2.
 ///
 /// The separation is the gap between the sides less that at the start, both in axes that follow the middle
 /// surface, so that rigid motion opens nothing. Energies are the work of the nodal forces.
-/// Source of the formulation: Tvergaard & Hutchinson (1992), as bilinear element with four points in
+/// ELFORM 20 glues shells: the layer lies between the nodes, which are those of the shells' middle surfaces,
+/// and is held by arms from the nodes that turn with them, so that its tractions have moments about the
+/// nodes. Source of the formulation: Tvergaard & Hutchinson (1992), as bilinear element with four points in
 /// LS-DYNA keyword manual, volume I, *SECTION_SOLID, ELFORM 19.
 class CohesiveSolids final : public Term {
 public:
@@ -30,7 +32,7 @@ public:
     void add_forces(const Clock&, State&) override;
     StepVote stable_step() const override { return vote_; }
     void report(EnergyLedger&) const override;
-    void serialise(Archive& archive) override { archive(history_, vote_known_, eroded_); }
+    void serialise(Archive& archive) override { archive(history_, arms_, vote_known_, eroded_); }
     void collect(const State&, ElementResults&) const override;
 
 private:
@@ -46,13 +48,18 @@ private:
     Patches patches_;
     std::vector<Lanes, CacheAligned<Lanes>> history_;   ///< batch x variable
     std::vector<Lanes, CacheAligned<Lanes>> constants_; ///< batch x point x constant
-    std::vector<std::vector<std::size_t>> lost_;        ///< by patch: places of this cycle
-    double eroded_ = 0;                                 ///< energy of deleted elements
+    bool with_arms_ = false;                            ///< ELFORM 20
+    std::vector<Vector3<Lanes>, CacheAligned<Vector3<Lanes>>>
+        arms_;                                   ///< batch x corner: from node to layer, now
+    std::vector<std::vector<std::size_t>> lost_; ///< by patch: places of this cycle
+    double eroded_ = 0;                          ///< energy of deleted elements
     bool vote_known_ = false;
     StepVote vote_;
 
     Lanes* history_of(Index batch) { return &history_[static_cast<std::size_t>(batch) * history_size]; }
     void start(State& state);
+    void start_arms(State& state);
+    Vec3 arm(std::size_t place, int corner) const;
     void vote(const State& state);
     Index corner(const Patches::Patch&, std::size_t place, int corner) const;
     void add_batch_forces(Index batch, double time_step, NodeCopies&, std::vector<std::size_t>& lost);

@@ -196,7 +196,94 @@ TEST(CohesiveSolids, TurnWithoutStrain)
     EXPECT_NEAR(glued.energy(), energy, 1e-5 * energy);
 }
 
-TEST(CohesiveSolids, RefuseOtherMaterialsAndOffsets)
+namespace {
+
+/// Two shells' middle surfaces 2 apart, glued by ELFORM 20; nodes move and turn as told.
+struct GluedShells {
+    testing::SolidBlock block;
+    State state;
+    std::vector<std::unique_ptr<Term>> terms;
+    Clock clock;
+
+    explicit GluedShells(double offset = 0)
+        : block({1, 1, 1}, {1, 1, 2}, make_record("MAT_COHESIVE_MIXED_MODE", cohesive_card({})))
+    {
+        block.model.sections[0] =
+            testing::record_of("SECTION_SOLID", 1, {{"ELFORM", 20}, {"COHOFF", offset}});
+        state = block.state();
+        terms = make_cohesive_solids(block.model, state);
+        clock.last_step = 1;
+    }
+    void step(const std::vector<Vec3>& place, const std::vector<Vec3>& spin)
+    {
+        for (std::size_t n = 0; n < 8; ++n) {
+            state.velocity[n] = place[n] - state.position[n];
+            state.position[n] = place[n];
+            state.angular_velocity[n] = spin[n];
+        }
+        state.clear_forces();
+        terms[0]->add_forces(clock, state);
+    }
+    double energy()
+    {
+        EnergyLedger ledger;
+        ledger.open_cycle(1);
+        terms[0]->report(ledger);
+        ledger.close_cycle();
+        return ledger.internal;
+    }
+};
+
+} // namespace
+
+/// The lower shell turns by a small angle where it stands: its side of the layer slides by the angle times
+/// the arm, 1 + COHOFF times half the distance, and the tractions have a moment about its nodes.
+TEST(CohesiveOffsets, TurnedShellsShearTheLayer)
+{
+    for (const double offset : {0.0, 0.5, -1.0}) {
+        GluedShells glued(offset);
+        const double angle = 1e-4, lower = 1 + offset, upper = 1 - offset;
+        std::vector<Vec3> spin(8);
+        for (int n = 0; n < 4; ++n) spin[n] = {0, angle / 10, 0};
+        const std::vector<Vec3> place = glued.block.model.nodes.position;
+        for (int i = 0; i < 10; ++i) glued.step(place, spin);
+        const double force = et * angle * lower / 4;
+        for (int n = 0; n < 4; ++n) {
+            EXPECT_NEAR(glued.state.force[n].x, -force, 1e-7 * et * angle); // angle^2, and the layer's slope
+            EXPECT_NEAR(glued.state.moment[n].y, -force * lower, 1e-3 * et * angle * lower + 1e-15);
+            EXPECT_NEAR(glued.state.force[n + 4].x, force, 1e-7 * et * angle);
+            EXPECT_NEAR(glued.state.moment[n + 4].y, -force * upper, 1e-3 * et * angle + 1e-15);
+        }
+        EXPECT_NEAR(glued.energy(), 0.5 * et * std::pow(angle * lower, 2), 1e-3 * et * angle * angle);
+    }
+}
+
+/// Opened by 2e-4, then turned as a whole by a full turn: nothing changes.
+TEST(CohesiveOffsets, AFullTurnDoesNoWork)
+{
+    GluedShells glued(0.3);
+    std::vector<Vec3> place = glued.block.model.nodes.position, spin(8);
+    for (int n = 4; n < 8; ++n) place[n].z += 2e-4;
+    glued.step(place, spin);
+    const double energy = glued.energy();
+    const Vec3 before = glued.state.force[0];
+    EXPECT_NEAR(before.z, en * 2e-4 / 4, 1e-12);
+    const int steps = 3000;
+    // The turn that Hughes & Winget's rotation gives for a spin is 2 atan(spin / 2).
+    const double angle = 2 * std::acos(-1.0) / steps, rate = 2 * std::tan(angle / 2);
+    std::fill(spin.begin(), spin.end(), Vec3{rate, 0, 0});
+    for (int i = 1; i <= steps; ++i) {
+        const double c = std::cos(i * angle), s = std::sin(i * angle);
+        std::vector<Vec3> now;
+        for (const Vec3& x : place) now.push_back({x.x, c * x.y - s * x.z, s * x.y + c * x.z});
+        glued.step(now, spin);
+    }
+    // 3000 turns of arms of length 1.3 by 2e-16 of it, times EN / 4.
+    EXPECT_NEAR(norm(glued.state.force[0] - before), 0, 2e-11);
+    EXPECT_NEAR(glued.energy(), energy, 1e-5 * energy);
+}
+
+TEST(CohesiveSolids, RefuseOtherMaterials)
 {
     testing::SolidBlock block({1, 1, 1}, {1, 1, 0},
                               testing::record_of("MAT_ELASTIC", 1, {{"RO", 1}, {"E", 1}, {"PR", 0}}));
