@@ -48,6 +48,15 @@ void PressureLoads::find_elements()
     for (Index& solid : solid_)
         if (solid != none) solid += static_cast<Index>(model_.solids.size());
     find(model_.solids, solid_);
+    if (model_.solids.ten_nodes.empty()) return;
+    std::vector<Index> row(segments_.size(), none);
+    find(model_.tetrahedra, row);
+    std::vector<Index> solid_of(model_.tetrahedra.size());
+    for (std::size_t solid = 0; solid < model_.solids.ten_nodes.size(); ++solid)
+        if (model_.solids.ten_nodes[solid] != none)
+            solid_of[model_.solids.ten_nodes[solid]] = static_cast<Index>(solid);
+    for (std::size_t i = 0; i < row.size(); ++i)
+        if (row[i] != none) solid_[i] = solid_of[row[i]];
 }
 
 bool PressureLoads::deleted(std::size_t segment, const State& state) const

@@ -19,8 +19,8 @@ Vector3<Lane> in_all_lanes(const Vec3& v)
 } // namespace
 
 PairSearch::PairSearch(const ContactMesh& mesh, const std::vector<std::array<Index, 8>>& solid_nodes,
-                       const std::vector<std::array<Index, 8>>* thick_nodes)
-    : solid_nodes_(&solid_nodes), thick_nodes_(thick_nodes)
+                       const std::vector<std::array<Index, 8>>* thick_nodes, const Model* model)
+    : solid_nodes_(&solid_nodes), thick_nodes_(thick_nodes), model_(model)
 {
     // A third of the median facet: enough for dozens of cycles at speeds well below sound, and small enough
     // that nodes of a plain sheet do not see the facets beyond their own.
@@ -64,6 +64,8 @@ bool PairSearch::may_touch(const ContactMesh& mesh, Index node, Index number) co
     }
     const Index solid = mesh.segments[number].solid;
     if (solid == none) return true;
+    if (const auto* ten = model_ ? ten_nodes(*model_, solid) : nullptr)
+        return std::find(ten->begin(), ten->end(), mesh.nodes[node].node) == ten->end();
     const auto solids = static_cast<Index>(solid_nodes_->size());
     for (Index behind : solid < solids ? (*solid_nodes_)[solid] : (*thick_nodes_)[solid - solids]) {
         if (behind == mesh.nodes[node].node) return false;

@@ -33,9 +33,10 @@ struct PairList {
 class PairSearch {
 public:
     PairSearch() = default;
-    /// solid_nodes, thick_nodes: of the Model's bricks, for the nodes behind a facet.
+    /// solid_nodes, thick_nodes: of the Model's bricks, for the nodes behind a facet; model: for those on the
+    /// edges of ten-node tetrahedra, if there are any.
     PairSearch(const ContactMesh& mesh, const std::vector<std::array<Index, 8>>& solid_nodes,
-               const std::vector<std::array<Index, 8>>* thick_nodes = nullptr);
+               const std::vector<std::array<Index, 8>>* thick_nodes = nullptr, const Model* model = nullptr);
 
     /// Finds all pairs if those at hand do not hold any more.
     /// only   if given, nodes that count (by mesh node, not 0)
@@ -56,7 +57,8 @@ public:
 private:
     const std::vector<std::array<Index, 8>>* solid_nodes_ = nullptr;
     const std::vector<std::array<Index, 8>>* thick_nodes_ = nullptr; ///< behind those of solids
-    double margin_ = 0;                                              ///< [length]
+    const Model* model_ = nullptr;
+    double margin_ = 0;        ///< [length]
     std::vector<Index> order_; ///< mesh nodes with neighbours in space beside one another
     std::vector<Vec3> searched_at_;
     double test_due_ = 0; ///< path before which no relative displacement can exceed the margin [length]

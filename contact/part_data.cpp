@@ -119,6 +119,11 @@ std::vector<double> lumped_masses(const Model& model, const std::vector<PartData
     for (Index i = 0; i < static_cast<Index>(brick_count(model)); ++i) {
         const auto& nodes = brick_nodes(model, i);
         const double whole = parts[brick_part(model, i)].density * solid_volume(nodes, position);
+        if (const auto* ten = ten_nodes(model, i)) { // as elements/ten_node_tetrahedron.h lumps them
+            for (int node = 0; node < 10; ++node)
+                mass[(*ten)[node]] += whole * (node < 4 ? 1. / 36 : 4. / 27);
+            continue;
+        }
         const int corners = nodes[4] == nodes[3] && nodes[5] == nodes[3] ? 4 : 8;
         for (int corner = 0; corner < corners; ++corner) mass[nodes[corner]] += whole / corners;
     }

@@ -48,12 +48,27 @@ void append_faces(const std::array<Index, 8>& n, Index solid, std::vector<SolidF
     for (const auto& q : quads) append_face({n[q[0]], n[q[1]], n[q[2]], n[q[3]]}, solid, faces);
 }
 
+void append_ten_node_faces(const std::array<Index, 10>& n, Index solid, std::vector<SolidFace>& faces)
+{
+    constexpr int triangles[4][6] = {
+        {0, 2, 1, 6, 5, 4}, {0, 1, 3, 4, 8, 7}, {1, 2, 3, 5, 9, 8}, {2, 0, 3, 6, 7, 9}};
+    for (const auto& t : triangles) {
+        const Index a = n[t[0]], b = n[t[1]], c = n[t[2]], ab = n[t[3]], bc = n[t[4]], ca = n[t[5]];
+        for (const auto& [i, j, k] : {std::array{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}})
+            append_face({i, j, k, k}, solid, faces);
+    }
+}
+
 std::vector<SolidFace> solid_faces(const Model& model)
 {
     std::vector<SolidFace> faces;
     faces.reserve(6 * brick_count(model));
-    for (Index brick = 0; brick < static_cast<Index>(brick_count(model)); ++brick)
-        append_faces(brick_nodes(model, brick), brick, faces);
+    for (Index brick = 0; brick < static_cast<Index>(brick_count(model)); ++brick) {
+        if (const auto* ten = ten_nodes(model, brick))
+            append_ten_node_faces(*ten, brick, faces);
+        else
+            append_faces(brick_nodes(model, brick), brick, faces);
+    }
     std::vector<std::pair<Corners, Index>> keys(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i)
         keys[i] = {face_key(faces[i].nodes), static_cast<Index>(i)};

@@ -20,6 +20,9 @@ std::array<Index, 4> face_key(std::array<Index, 4> nodes);
 /// Faces of one solid of LS-DYNA's node order; degenerate faces are left out.
 void append_faces(const std::array<Index, 8>& nodes, Index solid, std::vector<SolidFace>& faces);
 
+/// Faces of a ten-node tetrahedron, each in four triangles between its corners and mid-side nodes.
+void append_ten_node_faces(const std::array<Index, 10>& nodes, Index solid, std::vector<SolidFace>& faces);
+
 /// Every face of every brick with its neighbour, by rising brick.
 std::vector<SolidFace> solid_faces(const Model& model);
 

@@ -237,7 +237,9 @@ private:
         segment.size = std::sqrt(area);
         segment.rigid = segment.part != none && parts_[segment.part].rigid;
         if (segment.solid != none) {
-            const double volume = solid_volume(brick_nodes(model_, segment.solid), position);
+            // A triangle between mid-side nodes has its own eighth of a ten-node tetrahedron behind it.
+            const double share = ten_nodes(model_, segment.solid) ? 0.125 : 1;
+            const double volume = share * solid_volume(brick_nodes(model_, segment.solid), position);
             segment.stiffness = volume > 0 ? scale * bulk * area * area / volume : 0;
             const double thickness = area > 0 ? volume / area : 0;
             segment.area_mass = 0.5 * parts_[segment.part].density * thickness;

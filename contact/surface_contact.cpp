@@ -48,7 +48,7 @@ SurfaceContact::SurfaceContact(const Contact& contact, const Model& model, const
       name_(name_of("contact", contact)),
       model_(model),
       mesh_(mesh_of(contact, model, parts)),
-      search_(mesh_, model.solids.nodes, &model.thick_shells.nodes),
+      search_(mesh_, model.solids.nodes, &model.thick_shells.nodes, &model),
       lumped_(lumped_masses(model, parts)),
       frictions_(frictions_of(contact, model)),
       sum_now_(mesh_.nodes.size()),

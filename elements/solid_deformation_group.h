@@ -5,8 +5,8 @@
 
 namespace plash {
 
-/// The group of a law of the deformation gradient. One-point solids only: the gradient is kept at the
-/// element's centre.
+/// The group of a law of the deformation gradient: solids with one point, whose gradient is kept at the
+/// centre, and ten-node tetrahedra.
 /// shear_modulus, poisson_ratio  at small strains
 template <class Law>
 std::unique_ptr<SolidGroup> make_deformation_group(const Record& material, const Record* equation_of_state,
@@ -28,6 +28,10 @@ std::unique_ptr<SolidGroup> make_deformation_group(const Record& material, const
         using Point = DeformationPoint<Law, rule>;
         return std::make_unique<SolidOnePoint<Point, rule>>(Point{std::move(law)}, std::move(setup), state);
     };
+    if (setup.ten_nodes) {
+        using Point = DeformationPoint<Law, SolidGradientRule::mean>;
+        return std::make_unique<SolidTenPoint<Point>>(Point{std::move(law)}, std::move(setup), state);
+    }
     if (setup.rule == SolidGradientRule::centre) return make.template operator()<SolidGradientRule::centre>();
     return make.template operator()<SolidGradientRule::mean>();
 }

@@ -33,7 +33,7 @@ Lanes first_lanes(int active)
 SolidGroup::SolidGroup(SolidSetup setup, const State& state, int history_size, int constant_count,
                        int plastic_strain_place)
     : setup_(std::move(setup)),
-      patches_(8, setup_.elements, setup_.connectivity, state.position,
+      patches_(setup_.corner_count(), setup_.elements, setup_.connectivity, state.position,
                patch_length_of(setup_.elements.size())),
       section_watch_(setup_.model, setup_.thick_shells ? &CrossSection::thick_shells : &CrossSection::solids,
                      setup_.bricks().size(), patches_),
@@ -72,7 +72,8 @@ std::string SolidGroup::describe(std::size_t place, const std::vector<Vec3>& pos
 {
     const Patches::Patch& patch = patch_of(place);
     Vec3 centre{};
-    for (int i = 0; i < 8; ++i) centre += 0.125 * position[corner(patch, place, i)];
+    const int corners = setup_.corner_count();
+    for (int i = 0; i < corners; ++i) centre += (1.0 / corners) * position[corner(patch, place, i)];
     const Part& part = setup_.model.parts[setup_.part];
     return fmt::format("{} {} of part {} '{}' near ({:.6g}, {:.6g}, {:.6g})", setup_.kind(),
                        setup_.bricks().id[element_of(place)], part.id, part.title, centre.x, centre.y,
@@ -99,10 +100,17 @@ void SolidGroup::start_batch(Index batch, const Lanes& volume, const SolidModes<
 SolidGroup::Corners SolidGroup::distinct_corners(const Patches::Patch& patch, std::size_t place) const
 {
     Corners corners{};
-    for (int i = 0; i < 8; ++i) corners.node[i] = corner(patch, place, i);
-    std::sort(corners.node.begin(), corners.node.end());
-    corners.count =
-        static_cast<int>(std::unique(corners.node.begin(), corners.node.end()) - corners.node.begin());
+    for (int i = 0; i < setup_.corner_count(); ++i) corners.node[i] = corner(patch, place, i);
+    if (const TenNodeRule* rule = setup_.ten_nodes) {
+        corners.count = 10;
+        corners.share.fill(rule->edge_mass());
+        std::fill_n(corners.share.begin(), 4, rule->corner_mass);
+        return corners;
+    }
+    const auto end = corners.node.begin() + 8;
+    std::sort(corners.node.begin(), end);
+    corners.count = static_cast<int>(std::unique(corners.node.begin(), end) - corners.node.begin());
+    corners.share.fill(1.0 / corners.count);
     return corners;
 }
 
@@ -110,7 +118,15 @@ SolidModes<Lanes> SolidGroup::start_position(const Patches::Patch& patch, Index 
                                              const State& state) const
 {
     Vector3<Lanes> corners[8];
-    for (int i = 0; i < 8; ++i) {
+    start_corners(patch, batch, state, corners);
+    return modes_of(corners);
+}
+
+template <int Count>
+void SolidGroup::start_corners(const Patches::Patch& patch, Index batch, const State& state,
+                               Vector3<Lanes> (&corners)[Count]) const
+{
+    for (int i = 0; i < Count; ++i) {
         for (int lane = 0; lane < lane_count; ++lane) {
             const Vec3& p =
                 state.position[corner(patch, static_cast<std::size_t>(batch) * lane_count + lane, i)];
@@ -119,19 +135,22 @@ SolidModes<Lanes> SolidGroup::start_position(const Patches::Patch& patch, Index 
             corners[i].z[lane] = p.z;
         }
     }
-    return modes_of(corners);
 }
+
+template void SolidGroup::start_corners(const Patches::Patch&, Index, const State&,
+                                        Vector3<Lanes> (&)[10]) const;
 
 Vector3<Lanes> SolidGroup::start_centre(const Patches::Patch& patch, Index batch, const State& state) const
 {
     Vector3<Lanes> centre{};
     for (int lane = 0; lane < lane_count; ++lane) {
         Vec3 sum{};
-        for (int i = 0; i < 8; ++i)
+        const int corners = setup_.corner_count();
+        for (int i = 0; i < corners; ++i)
             sum += state.position[corner(patch, static_cast<std::size_t>(batch) * lane_count + lane, i)];
-        centre.x[lane] = 0.125 * sum.x;
-        centre.y[lane] = 0.125 * sum.y;
-        centre.z[lane] = 0.125 * sum.z;
+        centre.x[lane] = sum.x / corners;
+        centre.y[lane] = sum.y / corners;
+        centre.z[lane] = sum.z / corners;
     }
     return centre;
 }
@@ -141,10 +160,11 @@ void SolidGroup::finish_start(std::vector<double> first_step, State& state)
     first_step_ = std::move(first_step);
     for_each_element([&](const Patches::Patch& patch, std::size_t place) {
         const Corners corners = distinct_corners(patch, place);
-        const double share = constant_of(place, mass_constant) / corners.count;
-        for (int i = 0; i < corners.count; ++i) state.mass[corners.node[i]] += share;
+        const double mass = constant_of(place, mass_constant);
+        for (int i = 0; i < corners.count; ++i) state.mass[corners.node[i]] += corners.share[i] * mass;
     });
-    hold_back_loose_elements(state);
+    // The step of ten-node tetrahedra is that of an element alone.
+    if (!setup_.ten_nodes) hold_back_loose_elements(state);
 }
 
 void SolidGroup::take_initial_stresses(const StressPlaces& places)
@@ -173,17 +193,18 @@ void SolidGroup::put_initial_stress(std::size_t place, const InitialStress& init
     put_stress(mean.stress, history, lane);
     if (plastic_strain_ >= 0) history[point_history + plastic_strain_][lane] = mean.plastic_strain;
     if (places.points == 1) return;
-    if (given != 1 && given != solid_gauss_points) {
+    if (given != 1 && given != static_cast<std::size_t>(places.points)) {
         throw DeckError(initial.where,
                         fmt::format("*INITIAL_STRESS_SOLID, field NINT: {} points for an element that "
-                                    "has 8 (1 or 8)",
-                                    given));
+                                    "has {} (1 or {})",
+                                    given, places.points, places.points));
     }
     // The deck lists points in the order of the corners next to them.
     constexpr int corner_of[] = {0, 1, 3, 2, 4, 5, 7, 6}; // of the points of gauss_point()
-    for (int i = 0; i < solid_gauss_points; ++i) {
+    for (int i = 0; i < places.points; ++i) {
         Lanes* point = history + places.first + i * places.size;
-        const InitialStressPoint& one = initial.points[given == 1 ? 0 : corner_of[i]];
+        const int listed = places.points == ten_points ? i : corner_of[i];
+        const InitialStressPoint& one = initial.points[given == 1 ? 0 : listed];
         put_stress(one.stress, point, lane);
         if (places.plastic_strain >= 0) point[6 + places.plastic_strain][lane] = one.plastic_strain;
     }
@@ -210,7 +231,7 @@ double SolidGroup::scale_mass(double step, bool only_small, State& state)
         const double extra = (factor * factor - 1) * constant_of(place, mass_constant);
         added += extra;
         const Corners corners = distinct_corners(patch, place);
-        for (int i = 0; i < corners.count; ++i) state.mass[corners.node[i]] += extra / corners.count;
+        for (int i = 0; i < corners.count; ++i) state.mass[corners.node[i]] += corners.share[i] * extra;
     });
     return added;
 }
@@ -228,14 +249,25 @@ void SolidGroup::start_cycle(const Clock& clock)
 void SolidGroup::take(Index batch, const SolidModes<Lanes>& position, SolidResult<Lanes>& result,
                       PatchSum& sum)
 {
-    SolidVote<Lanes>& vote = result.vote;
+    const LaneMask silent = take_vote(batch, position, result.vote, sum);
+    if (!any(silent)) return;
+    const auto clear = [&](Vector3<Lanes>& force) {
+        force = {silent ? Lanes{} : force.x, silent ? Lanes{} : force.y, silent ? Lanes{} : force.z};
+    };
+    for (auto& force : result.force.linear) clear(force);
+    for (auto& force : result.force.hourglass) clear(force);
+}
+
+LaneMask SolidGroup::take_vote(Index batch, const SolidModes<Lanes>& position, SolidVote<Lanes>& vote,
+                               PatchSum& sum)
+{
     if (!step_factor_.empty()) vote.stable_step *= step_factor_[batch];
     if (!step_limit_.empty()) vote.stable_step = min(vote.stable_step, step_limit_[batch]);
     const LaneMask dead = alive_.empty() ? LaneMask{} : alive_[batch] == 0.0;
     if (erosion_) vote.failed |= erosion_->lost(batch, position, history_of(batch), time_, last_step_);
     const LaneMask lost = (vote.inverted | vote.failed | (vote.stable_step < smallest_step_)) & ~dead;
     const LaneMask silent = dead | lost;
-    if (any(silent)) silence(batch, dead, silent, result);
+    if (any(silent)) silence(batch, dead, silent, vote);
     const int active = patches_.active_lanes(batch);
     const auto place_of = [&](int lane) { return static_cast<std::size_t>(batch) * lane_count + lane; };
     if (any(lost)) {
@@ -255,19 +287,14 @@ void SolidGroup::take(Index batch, const SolidModes<Lanes>& position, SolidResul
             sum.place = place_of(lane);
         }
     }
+    return silent;
 }
 
-void SolidGroup::silence(Index batch, const LaneMask& dead, const LaneMask& silent,
-                         SolidResult<Lanes>& result)
+void SolidGroup::silence(Index batch, const LaneMask& dead, const LaneMask& silent, SolidVote<Lanes>& vote)
 {
-    const auto clear = [&](Vector3<Lanes>& force) {
-        force = {silent ? Lanes{} : force.x, silent ? Lanes{} : force.y, silent ? Lanes{} : force.z};
-    };
-    for (auto& force : result.force.linear) clear(force);
-    for (auto& force : result.force.hourglass) clear(force);
     for (int i = 0; i < history_size_; ++i) history_of(batch)[i] = dead ? Lanes{} : history_of(batch)[i];
-    result.vote.viscous_work = silent ? Lanes{} : result.vote.viscous_work;
-    result.vote.stable_step = silent ? broadcast<Lanes>(no_step) : result.vote.stable_step;
+    vote.viscous_work = silent ? Lanes{} : vote.viscous_work;
+    vote.stable_step = silent ? broadcast<Lanes>(no_step) : vote.stable_step;
 }
 
 void SolidGroup::erase(std::size_t place, State& state)
@@ -368,7 +395,7 @@ void SolidGroup::collect(const State& state, ElementResults& results) const
         const Corners corners = distinct_corners(patch, place);
         for (int i = 0; i < corners.count; ++i) {
             const Vec3& velocity = state.velocity[corners.node[i]];
-            const double share = mass / corners.count;
+            const double share = corners.share[i] * mass;
             motion.kinetic += 0.5 * share * dot(velocity, velocity);
             motion.momentum[0] += share * velocity.x;
             motion.momentum[1] += share * velocity.y;

@@ -7,6 +7,7 @@
 #include "elements/section_watch.h"
 #include "elements/solid_eight_step.h"
 #include "elements/solid_step.h"
+#include "elements/ten_node_tetrahedron.h"
 #include "model/model.h"
 
 #include <array>
@@ -25,17 +26,19 @@ struct SolidSetup {
     std::vector<Index> connectivity{}; ///< eight State indices an element; degenerate shapes repeat nodes
     SolidGradientRule rule = SolidGradientRule::centre;
     SolidParameters parameters{};
-    double initial_relative_volume = 1;  ///< volume at the start over reference volume
-    bool nodal_volume = false;           ///< volumes averaged over nodes (elements/solid_nodal_volume.h)
-    bool eight_points = false;           ///< fully integrated (elements/solid_eight_point.h)
-    SolidShear shear = SolidShear::full; ///< of fully integrated elements
-    std::string notice{};                ///< what the user should know of the formulation; empty: nothing
-    double shear_modulus = 0;            ///< elastic, for the bound of the step; 0: a fluid [stress]
-    double shortest_step = 0;            ///< TDEL: elements below it are deleted [time]
-    bool erode_inverted = false;         ///< delete elements without volume instead of stopping the run
+    double initial_relative_volume = 1;     ///< volume at the start over reference volume
+    bool nodal_volume = false;              ///< volumes averaged over nodes (elements/solid_nodal_volume.h)
+    bool eight_points = false;              ///< fully integrated (elements/solid_eight_point.h)
+    SolidShear shear = SolidShear::full;    ///< of fully integrated elements
+    const TenNodeRule* ten_nodes = nullptr; ///< ten-node tetrahedra: ten State indices an element
+    std::string notice{};                   ///< what the user should know of the formulation; empty: nothing
+    double shear_modulus = 0;               ///< elastic, for the bound of the step; 0: a fluid [stress]
+    double shortest_step = 0;               ///< TDEL: elements below it are deleted [time]
+    bool erode_inverted = false;            ///< delete elements without volume instead of stopping the run
     const InitialStresses* initial_stresses = nullptr; ///< looked at while the group is made
     bool thick_shells = false;                         ///< the elements are those of *ELEMENT_TSHELL
 
+    int corner_count() const { return ten_nodes ? 10 : 8; }
     const Elements<8>& bricks() const
     {
         return thick_shells ? static_cast<const Elements<8>&>(model.thick_shells) : model.solids;
@@ -93,6 +96,9 @@ protected:
 
     /// Positions of a batch as modes.
     SolidModes<Lanes> start_position(const Patches::Patch&, Index batch, const State&) const;
+    /// Nodal vectors of a batch at the start.
+    template <int Count>
+    void start_corners(const Patches::Patch&, Index batch, const State&, Vector3<Lanes> (&)[Count]) const;
     /// Means of the corners of a batch.
     Vector3<Lanes> start_centre(const Patches::Patch&, Index batch, const State&) const;
     /// Sets volume and mass of a batch at the start; DeckError when a volume is not positive.
@@ -123,6 +129,9 @@ protected:
     /// Takes what a batch has to say into the patch's sum; zeroes the forces of elements that are deleted or
     /// lost in this cycle.
     void take(Index batch, const SolidModes<Lanes>& position, SolidResult<Lanes>& result, PatchSum& sum);
+    /// The same for formulations whose forces are not SolidModes; returns the elements whose forces have to
+    /// vanish.
+    LaneMask take_vote(Index batch, const SolidModes<Lanes>& position, SolidVote<Lanes>& vote, PatchSum& sum);
     /// Takes the patch sums into the group; deletes elements, or throws RunError.
     void close_cycle(State&);
 
@@ -171,16 +180,17 @@ private:
     double internal_ = 0, hourglass_ = 0, viscous_ = 0;
     double eroded_internal_ = 0, eroded_hourglass_ = 0;
 
-    /// The nodes of an element without repetition.
+    /// The nodes of an element without repetition, with their shares in its mass.
     struct Corners {
-        std::array<Index, 8> node;
+        std::array<Index, 10> node;
+        std::array<double, 10> share;
         int count;
     };
     Corners distinct_corners(const Patches::Patch&, std::size_t place) const;
     const Patches::Patch& patch_of(std::size_t place) const;
     void put_initial_stress(std::size_t place, const InitialStress&, const StressPlaces&);
     void hold_back_loose_elements(const State&);
-    void silence(Index batch, const LaneMask& dead, const LaneMask& silent, SolidResult<Lanes>&);
+    void silence(Index batch, const LaneMask& dead, const LaneMask& silent, SolidVote<Lanes>&);
     void erase(std::size_t place, State&);
     std::string describe(std::size_t place, const std::vector<Vec3>& position) const;
 };

@@ -50,8 +50,8 @@ constexpr struct {
 };
 
 /// Shapes that need a group of their own.
-enum class Shape { hexahedron, wedge, pyramid, tetrahedron };
-constexpr int shape_count = 4;
+enum class Shape { hexahedron, wedge, pyramid, tetrahedron, ten_node_tetrahedron };
+constexpr int shape_count = 5;
 
 int distinct_count(Corners nodes)
 {
@@ -74,6 +74,7 @@ Corners tetrahedron_of(const Corners& nodes)
 
 Shape shape_of(const Model& model, Index element)
 {
+    if (ten_nodes(model, element)) return Shape::ten_node_tetrahedron;
     const int distinct = distinct_count(model.solids.nodes[element]);
     if (distinct == 8) return Shape::hexahedron;
     if (distinct == 6) return Shape::wedge;
@@ -130,14 +131,14 @@ void adapt_to_shape(Shape shape, SolidSetup& setup)
     if (shape == Shape::hexahedron) return;
     setup.rule = SolidGradientRule::mean;
     setup.parameters.hourglass.orthogonal = true;
-    if (shape != Shape::tetrahedron) return;
+    if (shape != Shape::tetrahedron && shape != Shape::ten_node_tetrahedron) return;
     setup.parameters.hourglass.form = SolidHourglass::Form::none;
     setup.parameters.length_factor = 3;
 }
 
 /// ELFORM of a part; DeckError for one that is not supported.
-/// tetrahedra, wedges  whether the part has nothing else
-Id formulation_of(const Model& model, const Part& part, bool tetrahedra, bool wedges)
+/// tetrahedra, wedges, ten_nodes  whether the part has nothing else
+Id formulation_of(const Model& model, const Part& part, bool tetrahedra, bool wedges, bool ten_nodes)
 {
     if (part.section == none) {
         throw DeckError(part.where, fmt::format("*PART {} has solids but no section", part.id));
@@ -149,16 +150,25 @@ Id formulation_of(const Model& model, const Part& part, bool tetrahedra, bool we
                                                 part.id, section.id, section.keyword));
     }
     const Id formulation = section.integer("ELFORM", 1);
+    if (ten_nodes && formulation != 16 && formulation != 17) {
+        throw DeckError(
+            section.where,
+            fmt::format("*SECTION_SOLID {}, field ELFORM: formulation {} does not use the ten nodes "
+                        "of the tetrahedra of part {}; 16 (quadratic) and 17 (composite) do",
+                        section.id, formulation, part.id));
+    }
     if (formulation == 0) return 1;
     if (formulation >= -2 && formulation <= 3) return formulation;
     if ((formulation == 10 || formulation == 13) && tetrahedra) return formulation;
     if (formulation == 15 && wedges) return formulation;
+    if ((formulation == 16 || formulation == 17) && ten_nodes) return formulation;
     throw DeckError(
         section.where,
         fmt::format("*SECTION_SOLID {}, field ELFORM: formulation {} is not supported for part {}; "
                     "there are 1 (one-point hexahedron, wedge, tetrahedron), 2, -1, -2 (fully integrated "
                     "hexahedron), 3 (run as -1), for parts of tetrahedra only 10 (one point) and 13 "
-                    "(volumes of nodes), and for parts of wedges only 15",
+                    "(volumes of nodes), of ten-node tetrahedra only 16 (quadratic) and 17 (composite), and "
+                    "for parts of wedges only 15",
                     section.id, formulation, part.id));
 }
 
@@ -189,17 +199,32 @@ void add_part(const Model& model, Index part_index, const std::vector<Index>& el
     const auto all_are = [&](Shape shape) {
         return by_shape[static_cast<int>(shape)].size() == elements.size();
     };
-    const Id formulation = formulation_of(model, part, all_are(Shape::tetrahedron), all_are(Shape::wedge));
+    const auto ten = by_shape[static_cast<int>(Shape::ten_node_tetrahedron)].size();
+    if (ten > 0 && ten < elements.size()) {
+        throw DeckError(
+            part.where,
+            fmt::format("*PART {} has {} ten-node tetrahedra among {} solids; give them a part of "
+                        "their own",
+                        part.id, ten, elements.size()));
+    }
+    const Id formulation =
+        formulation_of(model, part, all_are(Shape::tetrahedron), all_are(Shape::wedge), ten > 0);
     const bool sorted = model.controls.elements.sort_solids > 0;
 
     const Record* equation_of_state =
         part.equation_of_state == none ? nullptr : &model.equations_of_state[part.equation_of_state];
-    for (Shape shape : {Shape::hexahedron, Shape::wedge, Shape::pyramid, Shape::tetrahedron}) {
+    for (Shape shape :
+         {Shape::hexahedron, Shape::wedge, Shape::pyramid, Shape::tetrahedron, Shape::ten_node_tetrahedron}) {
         std::vector<Index>& members = by_shape[static_cast<int>(shape)];
         if (members.empty()) continue;
         SolidSetup setup{model, part_index, std::move(members)};
         setup.initial_stresses = &initial_stresses;
+        if (ten > 0) setup.ten_nodes = formulation == 16 ? &quadratic_tetrahedron : &composite_tetrahedron;
         for (Index element : setup.elements) {
+            if (const auto* all = ten_nodes(model, element)) {
+                setup.connectivity.insert(setup.connectivity.end(), all->begin(), all->end());
+                continue;
+            }
             const Corners& nodes = model.solids.nodes[element];
             const Corners corners = shape == Shape::tetrahedron ? tetrahedron_of(nodes) : nodes;
             setup.connectivity.insert(setup.connectivity.end(), corners.begin(), corners.end());
@@ -263,7 +288,7 @@ SolidMasses solid_masses(const Model& model, Index part)
         if (brick_part(model, element) != part) continue;
         const bool solid = element < static_cast<Index>(model.solids.size());
         Corners nodes = brick_nodes(model, element);
-        if (solid && shape_of(model, element) == Shape::tetrahedron) nodes = tetrahedron_of(nodes);
+        if (solid && distinct_count(nodes) == 4) nodes = tetrahedron_of(nodes);
         Vec3 corner[8];
         for (int i = 0; i < 8; ++i) corner[i] = model.nodes.position[nodes[i]];
         const double mass = density * gradient_of<SolidGradientRule::mean>(modes_of(corner)).volume;
@@ -276,6 +301,13 @@ SolidMasses solid_masses(const Model& model, Index part)
                             solid ? model.solids.id[element]
                                   : model.thick_shells.id[element - model.solids.size()],
                             model.parts[part].id, mass));
+        }
+        if (const auto* all = ten_nodes(model, element)) {
+            for (int i = 0; i < 10; ++i)
+                by_node[(*all)[i]] +=
+                    mass * (i < 4 ? quadratic_tetrahedron.corner_mass : quadratic_tetrahedron.edge_mass());
+            masses.total += mass;
+            continue;
         }
         std::sort(nodes.begin(), nodes.end());
         const auto end = std::unique(nodes.begin(), nodes.end());

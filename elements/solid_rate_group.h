@@ -5,6 +5,7 @@
 #include "elements/solid_nodal_volume.h"
 #include "elements/solid_one_point.h"
 #include "elements/solid_points.h"
+#include "elements/solid_ten_point.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +19,8 @@ std::unique_ptr<SolidGroup> make_point_group(Point point, SolidSetup setup, Stat
         const SolidShear shear = setup.shear;
         return std::make_unique<SolidEightPoint<Point>>(std::move(point), shear, std::move(setup), state);
     }
+    if (setup.ten_nodes)
+        return std::make_unique<SolidTenPoint<Point>>(std::move(point), std::move(setup), state);
     if (setup.nodal_volume)
         return std::make_unique<SolidNodalVolume<Point>>(std::move(point), std::move(setup), state);
     if (setup.rule == SolidGradientRule::centre) {

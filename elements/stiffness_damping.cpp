@@ -234,6 +234,13 @@ std::vector<std::unique_ptr<Term>> make_stiffness_damping(const Model& model, St
         for (const Shape shape : {Shape::solid, Shape::shell}) {
             auto elements = elements_of(shape == Shape::solid ? model.solids.part : model.shells.part);
             if (elements.empty()) continue;
+            if (shape == Shape::solid && ten_nodes(model, elements.front())) {
+                throw DeckError(
+                    damping.where,
+                    fmt::format(
+                        "*DAMPING_PART_STIFFNESS is not supported for the ten-node tetrahedra of part {}",
+                        model.parts[damping.part].id));
+            }
             groups.push_back(
                 std::make_unique<StiffnessDampingGroup>(model, damping, shape, std::move(elements), state));
         }

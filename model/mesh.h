@@ -52,9 +52,11 @@ struct MaterialAxes {
 
 struct SolidElements : Elements<8> {
     std::vector<MaterialAxes> axes; ///< empty unless some element has its own
+    std::vector<Index> ten_nodes;   ///< into Model::tetrahedra, `none` for others; empty unless there are any
 };
 
-/// Ten-node tetrahedra: four corners, then the nodes on the edges 12, 23, 31, 14, 24, 34.
+/// Ten-node tetrahedra: four corners, then the nodes on the edges 12, 23, 31, 14, 24, 34. Each is a solid of
+/// its corners too (SolidElements::ten_nodes), under the same number.
 using TetrahedronElements = Elements<10>;
 
 struct ThickShellElements : Elements<8> {

@@ -150,6 +150,14 @@ inline Index brick_part(const Model& model, Index brick)
     return brick < solids ? model.solids.part[brick] : model.thick_shells.part[brick - solids];
 }
 
+/// All nodes of a ten-node tetrahedron; nullptr for other bricks.
+inline const std::array<Index, 10>* ten_nodes(const Model& model, Index brick)
+{
+    const std::vector<Index>& rows = model.solids.ten_nodes;
+    if (brick >= static_cast<Index>(rows.size()) || rows[brick] == none) return nullptr;
+    return &model.tetrahedra.nodes[rows[brick]];
+}
+
 /// Calls visit(elements) for every list of elements that have an id, a part and nodes.
 template <class Visit>
 void for_each_topology(const Model& model, Visit&& visit)

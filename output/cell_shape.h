@@ -17,13 +17,14 @@ enum class CellShape : std::uint8_t {
     tetra = 10,
     hexahedron = 12,
     wedge = 13,
-    pyramid = 14
+    pyramid = 14,
+    quadratic_tetra = 24
 };
 
 /// A cell as VTK wants it; the values of CellShape are VTK's numbers of the types.
 struct Cell {
     CellShape shape;
-    std::array<Index, 8> corners; ///< as many as the shape has
+    std::array<Index, 10> corners; ///< as many as the shape has
     int corner_count;
 
     std::span<const Index> used() const { return {corners.data(), static_cast<std::size_t>(corner_count)}; }
@@ -41,5 +42,11 @@ inline Cell vertex_cell(Index node)
 /// LS-DYNA's degenerate solids: tetrahedron n1 n2 n3 n4 n4 n4 n4 n4 (or n1 n2 n3 n3 n5 n5 n5 n5), pyramid n5
 /// = ... = n8, wedge n5 = n6 and n7 = n8 (or n3 = n4 and n7 = n8). Any other repetition stays a hexahedron.
 Cell solid_cell(const std::array<Index, 8>& nodes);
+
+/// Ten-node tetrahedra have their nodes in VTK's order.
+inline Cell solid_cell(const std::array<Index, 10>& nodes)
+{
+    return {CellShape::quadratic_tetra, nodes, 10};
+}
 
 } // namespace plash

@@ -58,6 +58,7 @@ void add_element_numbers(VtuFile& file, const Model& model)
     std::vector<std::int64_t> ids, parts;
     put_numbers(model.shells, model, ids, parts);
     put_numbers(model.solids, model, ids, parts);
+    put_numbers(model.thick_shells, model, ids, parts);
     for (Index node : model.particles.node) ids.push_back(model.nodes.id[node]);
     for (Index part : model.particles.part) parts.push_back(model.parts[part].id);
     file.add_cell_array("element_id", 1, ids);
@@ -76,6 +77,11 @@ ElementResults collect_results(const Snapshot& snapshot)
     r.solid_stress.resize(solids);
     r.solid_plastic_strain.resize(solids);
     r.solid_deleted.resize(solids);
+    const std::size_t thick_shells = snapshot.model.thick_shells.size();
+    r.thick_shell_layers = layers;
+    r.thick_shell_stress.resize(thick_shells * layers);
+    r.thick_shell_plastic_strain.resize(thick_shells * layers);
+    r.thick_shell_deleted.resize(thick_shells);
     if (!snapshot.model.contacts.empty()) {
         r.contact_force.resize(snapshot.model.nodes.size());
         r.contact_pressure.resize(snapshot.model.nodes.size());
@@ -92,18 +98,21 @@ ElementResults collect_results(const Snapshot& snapshot)
 void add_element_results(VtuFile& file, const ElementResults& r)
 {
     const std::size_t shells = r.shell_deleted.size(), solids = r.solid_deleted.size();
+    const std::size_t thick_shells = r.thick_shell_deleted.size();
     std::vector<float> stress[layers], mises, plastic, thickness;
     std::vector<std::uint8_t> eroded(r.shell_deleted), ghost;
-    for (std::size_t e = 0; e < shells; ++e) {
+    const auto put_layers = [&](const Stress* layer_stress, const double* layer_strain) {
         double largest_mises = 0, largest_strain = 0;
         for (int layer = 0; layer < layers; ++layer) {
-            const Stress& s = r.shell_stress[e * layers + layer];
-            put(stress[layer], s);
-            largest_mises = std::max(largest_mises, von_mises_stress(s));
-            largest_strain = std::max(largest_strain, r.shell_plastic_strain[e * layers + layer]);
+            put(stress[layer], layer_stress[layer]);
+            largest_mises = std::max(largest_mises, von_mises_stress(layer_stress[layer]));
+            largest_strain = std::max(largest_strain, layer_strain[layer]);
         }
         mises.push_back(static_cast<float>(largest_mises));
         plastic.push_back(static_cast<float>(largest_strain));
+    };
+    for (std::size_t e = 0; e < shells; ++e) {
+        put_layers(&r.shell_stress[e * layers], &r.shell_plastic_strain[e * layers]);
         thickness.push_back(static_cast<float>(r.shell_thickness[e]));
     }
     for (std::size_t e = 0; e < solids; ++e) {
@@ -113,6 +122,11 @@ void add_element_results(VtuFile& file, const ElementResults& r)
         thickness.push_back(0);
     }
     eroded.insert(eroded.end(), r.solid_deleted.begin(), r.solid_deleted.end());
+    for (std::size_t e = 0; e < thick_shells; ++e) {
+        put_layers(&r.thick_shell_stress[e * layers], &r.thick_shell_plastic_strain[e * layers]);
+        thickness.push_back(0); // that of the mesh
+    }
+    eroded.insert(eroded.end(), r.thick_shell_deleted.begin(), r.thick_shell_deleted.end());
     for (const ElementResults::Particle& particle : r.particles) {
         for (auto& layer : stress) put(layer, particle.stress);
         mises.push_back(static_cast<float>(von_mises_stress(particle.stress)));
@@ -124,7 +138,7 @@ void add_element_results(VtuFile& file, const ElementResults& r)
     file.add_cell_array("eroded", 1, eroded);
     file.add_cell_array("vtkGhostType", 1, ghost);
     file.add_cell_array("stress", 6, stress[0]);
-    if (shells > 0) {
+    if (shells + thick_shells > 0) {
         file.add_cell_array("stress_inner", 6, stress[1]);
         file.add_cell_array("stress_outer", 6, stress[2]);
     }
@@ -143,14 +157,14 @@ void add_contact_results(VtuFile& file, const ElementResults& r)
     file.add_point_array("contact_pressure", 1, pressure);
 }
 
-/// By cell: zero for shells, then solids, then particles; either list may be empty.
+/// By cell: zero for shells, then solids, zero for thick shells, then particles; either list may be empty.
 template <class ParticleValue>
 std::vector<float> by_cell(const ElementResults& r, const std::vector<double>& of_solids,
                            ParticleValue&& of_particle)
 {
     std::vector<float> values(r.shell_deleted.size());
     values.insert(values.end(), of_solids.begin(), of_solids.end());
-    values.resize(r.shell_deleted.size() + r.solid_deleted.size());
+    values.resize(r.shell_deleted.size() + r.solid_deleted.size() + r.thick_shell_deleted.size());
     for (const ElementResults::Particle& particle : r.particles)
         values.push_back(static_cast<float>(of_particle(particle)));
     return values;
@@ -202,7 +216,11 @@ VtkSeries::VtkSeries(const Model& model, Schedule schedule, const ResultPath& di
     : ScheduledRecorder(std::move(schedule)), directory_(directory.path), walls_(!model.rigid_walls.empty())
 {
     for (const auto& nodes : model.shells.nodes) cells_.push_back(shell_cell(nodes));
-    for (const auto& nodes : model.solids.nodes) cells_.push_back(solid_cell(nodes));
+    for (Index solid = 0; solid < static_cast<Index>(model.solids.size()); ++solid) {
+        const auto* ten = ten_nodes(model, solid);
+        cells_.push_back(ten ? solid_cell(*ten) : solid_cell(model.solids.nodes[solid]));
+    }
+    for (const auto& nodes : model.thick_shells.nodes) cells_.push_back(solid_cell(nodes));
     for (Index node : model.particles.node) cells_.push_back(vertex_cell(node));
     if (directory.resume) {
         std::filesystem::create_directories(directory_ + "/vtk");

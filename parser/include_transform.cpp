@@ -19,7 +19,6 @@ Id IncludeTransform::offset(Kind kind) const
         return node;
     case Kind::shell:
     case Kind::solid:
-    case Kind::tetrahedron:
     case Kind::beam:
     case Kind::tshell:
     case Kind::discrete:

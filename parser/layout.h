@@ -17,7 +17,6 @@ enum class Kind : std::uint8_t {
     node,
     shell,
     solid,
-    tetrahedron, ///< ten-node solids; `solid` may name them, too
     beam,
     tshell,
     discrete,

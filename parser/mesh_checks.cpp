@@ -65,14 +65,6 @@ bool may_be_flat(const Model& model, Index part)
     return number >= 19 && number <= 22;
 }
 
-/// Ten-node tetrahedra by their corners: the edges may be curved.
-double volume_of(const std::array<Index, 10>& nodes, const std::vector<Vec3>& position)
-{
-    const Vec3 origin = position[nodes[0]];
-    return dot(position[nodes[1]] - origin, cross(position[nodes[2]] - origin, position[nodes[3]] - origin)) /
-           6;
-}
-
 /// `elements`: anything with a volume; `kind` and `keyword` name it in messages.
 template <class ElementList>
 void check_volumes(const ElementList& elements, std::string_view kind, std::string_view keyword,
@@ -150,7 +142,6 @@ constexpr Units known_units[] = {
 void check_mesh(const Model& model, Report& report)
 {
     check_volumes(model.solids, "solid", "ELEMENT_SOLID", model, report);
-    check_volumes(model.tetrahedra, "solid", "ELEMENT_SOLID", model, report);
     check_volumes(model.thick_shells, "thick shell", "ELEMENT_TSHELL", model, report);
     check_shells(model, report);
     check_beams(model, report);

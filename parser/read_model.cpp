@@ -202,8 +202,6 @@ private:
         if (phase == Phase::elements) {
             finish_elements(model.shells, Kind::shell, "ELEMENT_SHELL");
             finish_elements(model.solids, Kind::solid, "ELEMENT_SOLID");
-            for (std::size_t i = 0; i < model.tetrahedra.size(); ++i)
-                reading_.table(Kind::tetrahedron).add(model.tetrahedra.id[i], static_cast<Index>(i));
             finish_elements(model.thick_shells, Kind::tshell, "ELEMENT_TSHELL");
         }
         if (phase == Phase::sets) {

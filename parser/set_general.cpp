@@ -59,6 +59,8 @@ void SetResolver::for_nodes(Kind element, Index position, Visit&& visit) const
         break;
     case Kind::solid:
         all(model_.solids.nodes);
+        if (const auto* nodes = ten_nodes(model_, position))
+            std::for_each(nodes->begin(), nodes->end(), visit);
         break;
     case Kind::beam:
         all(model_.beams.nodes);

@@ -152,7 +152,7 @@ void SetResolver::add_one(const Row& row, Kind kind, Id id, Members& members)
     const Index found = reading_.table(kind).find(id);
     if (found != none)
         members.push_back(found);
-    else if (kind != Kind::solid || reading_.table(Kind::tetrahedron).find(id) == none)
+    else
         report_missing(row, kind, id);
 }
 

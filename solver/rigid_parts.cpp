@@ -283,7 +283,6 @@ void check_elements(const Model& model)
         }
     };
     check(model.beams, "beams");
-    check(model.tetrahedra, "ten-node tetrahedra");
     for (std::size_t i = 0; i < model.shells.size(); ++i) {
         const Part& part = model.parts[model.shells.part[i]];
         if (!model.is_rigid(model.shells.part[i]) || (part.material != none && part.section != none))

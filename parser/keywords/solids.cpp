@@ -43,6 +43,7 @@ public:
             if (!trimmed(line).empty()) read_element(line);
         }
         if (!solids.axes.empty()) solids.axes.resize(solids.size());
+        if (!solids.ten_nodes.empty()) solids.ten_nodes.resize(solids.size(), none);
     }
 
 private:
@@ -76,28 +77,38 @@ private:
         if (orthotropic_ && !read_axes(axes, id, number)) return;
         if (!found || !ids_.is_number(id, number)) return;
         const Index part = ids_.find_part(whole_.id(1), id, number);
-        if (ten) {
-            keep_tetrahedron(id, part);
-            return;
-        }
-        found = two_lines ? ids_.find_nodes(nodes_, 0, id, cursor_.line(), corners)
-                          : ids_.find_nodes(whole_, 2, id, number, corners);
+        if (ten && !keep_tetrahedron(id, part)) return;
+        found = ten         ? corners_of_last(corners)
+                : two_lines ? ids_.find_nodes(nodes_, 0, id, cursor_.line(), corners)
+                            : ids_.find_nodes(whole_, 2, id, number, corners);
         if (part == none || !found) return;
         SolidElements& solids = reading_.model.solids;
         solids.id.push_back(id);
         solids.part.push_back(part);
         solids.nodes.push_back(corners);
+        if (ten) {
+            solids.ten_nodes.resize(solids.size(), none);
+            solids.ten_nodes.back() = static_cast<Index>(reading_.model.tetrahedra.size()) - 1;
+        }
         if (orthotropic_) solids.axes.push_back(axes);
     }
 
-    void keep_tetrahedron(Id id, Index part)
+    bool keep_tetrahedron(Id id, Index part)
     {
         std::array<Index, 10> nodes{};
-        if (!ids_.find_nodes(nodes_, 0, id, cursor_.line(), nodes) || part == none) return;
+        if (!ids_.find_nodes(nodes_, 0, id, cursor_.line(), nodes) || part == none) return false;
         TetrahedronElements& tetrahedra = reading_.model.tetrahedra;
         tetrahedra.id.push_back(id);
         tetrahedra.part.push_back(part);
         tetrahedra.nodes.push_back(nodes);
+        return true;
+    }
+
+    bool corners_of_last(std::array<Index, 8>& corners) const
+    {
+        const std::array<Index, 10>& nodes = reading_.model.tetrahedra.nodes.back();
+        for (int i = 0; i < 8; ++i) corners[i] = nodes[std::min(i, 3)];
+        return true;
     }
 
     bool read_axes(MaterialAxes& axes, Id id, int number)

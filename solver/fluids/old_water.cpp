@@ -122,6 +122,7 @@ void OldWater::drop_elements()
     for (CrossSection& section : model_.cross_sections) follow(section.solids);
     follow(model_.controls.output.history_solids);
     drop_marked(model_.solids.axes, gone);
+    drop_marked(model_.solids.ten_nodes, gone);
     drop_marked(model_.solids.id, gone);
     drop_marked(model_.solids.part, gone);
     drop_marked(model_.solids.nodes, gone);

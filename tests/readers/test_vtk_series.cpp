@@ -79,6 +79,47 @@ TEST(VtkSeries, HoldsTheModelAsVtkWantsIt)
     EXPECT_EQ(cells.at("thickness")[0][0], 2);
 }
 
+TEST(VtkSeries, HoldsThickShellsAndTenNodeTetrahedra)
+{
+    TemporaryFolder folder;
+    SnapshotFixture fixture = small_model();
+    Model& model = fixture.model;
+    const std::size_t before = model.shells.size() + model.solids.size();
+    model.thick_shells.id = {77};
+    model.thick_shells.part = {model.solids.part[0]};
+    model.thick_shells.nodes = {model.solids.nodes[0]};
+    // The last solid, a tetrahedron, gets mid-side nodes (any will do here).
+    const auto& corner = model.solids.nodes.back();
+    model.solids.ten_nodes = {none, none, 0};
+    model.tetrahedra.id = {model.solids.id.back()};
+    model.tetrahedra.part = {model.solids.part.back()};
+    model.tetrahedra.nodes = {{corner[0], corner[1], corner[2], corner[4], 0, 1, 2, 3, 4, 5}};
+    fixture.add_results().fill = [](const State&, ElementResults& r) {
+        if (r.thick_shell_stress.empty()) return;
+        for (int layer = 0; layer < 3; ++layer) {
+            r.thick_shell_stress[layer] = {1.0 + layer, 0, 0, 0, 0, 0};
+            r.thick_shell_plastic_strain[layer] = 0.125 * layer;
+        }
+        r.thick_shell_deleted[0] = 1;
+    };
+    VtkSeries series(model, Schedule(0.1), folder.path().string());
+    series.write(fixture.snapshot());
+
+    const VtkGrid grid = read_vtu(folder / "vtk/result_0000.vtu");
+    ASSERT_EQ(grid.cell_types.size(), before + 1);
+    EXPECT_EQ(grid.cell_types[before - 1], 24);
+    EXPECT_EQ(grid.corners[before - 1].size(), 10u);
+    EXPECT_EQ(grid.cell_types[before], 12);
+    const auto& cells = grid.cell_values;
+    EXPECT_EQ(cells.at("element_id")[before][0], 77);
+    EXPECT_EQ(cells.at("eroded")[before][0], 1);
+    EXPECT_EQ(cells.at("stress")[before][0], 1);
+    EXPECT_EQ(cells.at("stress_inner")[before][0], 2);
+    EXPECT_EQ(cells.at("stress_outer")[before][0], 3);
+    EXPECT_EQ(cells.at("von_mises")[before][0], 3);
+    EXPECT_EQ(cells.at("plastic_strain")[before][0], 0.25);
+}
+
 TEST(VtkSeries, NamesItsStatesAfterEachOne)
 {
     TemporaryFolder folder;

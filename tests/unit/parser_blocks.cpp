@@ -123,10 +123,14 @@ TEST(Elements, SolidsOnOneLineOrTwo)
                   "5,1,1,2,3,4\n");
     EXPECT_EQ(errors_of(result), "");
     const SolidElements& solids = result.model.solids;
-    ASSERT_EQ(solids.size(), 4u);
+    ASSERT_EQ(solids.size(), 5u);
     EXPECT_EQ(solids.nodes[0], solids.nodes[1]);
     EXPECT_EQ(solids.nodes[2], (std::array<Index, 8>{0, 1, 2, 3, 3, 3, 3, 3}));
-    EXPECT_EQ(solids.nodes[3], solids.nodes[2]); // missing corners repeat the last one
+    EXPECT_EQ(solids.nodes[4], solids.nodes[2]); // missing corners repeat the last one
+    EXPECT_EQ(solids.nodes[3], solids.nodes[2]); // the corners of a ten-node tetrahedron
+    EXPECT_EQ(solids.ten_nodes, (std::vector<Index>{none, none, none, 0, none}));
+    ASSERT_NE(ten_nodes(result.model, 3), nullptr);
+    EXPECT_EQ(ten_nodes(result.model, 4), nullptr);
     ASSERT_EQ(result.model.tetrahedra.size(), 1u);
     EXPECT_EQ(result.model.tetrahedra.nodes[0][9], 9);
 }
