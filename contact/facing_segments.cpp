@@ -1,11 +1,13 @@
 #include "contact/facing_segments.h"
 
+#include "contact/bounding_tree.h"
 #include "contact/closest_point.h"
 #include "core/parallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace plash {
@@ -86,7 +88,8 @@ void FacingSegments::clear()
 {
     now_.clear();
     before_.clear();
-    for (Pair& pair : pairs_) pair.touch = none;
+    facet_begin_.clear();
+    for (FacingPair& pair : pairs_) pair.touch = none;
 }
 
 Vec3 FacingSegments::normal_of(const ContactMotion& motion, Index facet) const
@@ -146,7 +149,7 @@ void FacingSegments::search(const ContactMotion& motion)
     });
     BoundingTree tree;
     tree.fit(boxes);
-    std::vector<std::vector<Pair>> found((count + chunk_length - 1) / chunk_length);
+    std::vector<std::vector<FacingPair>> found((count + chunk_length - 1) / chunk_length);
     for_chunks(count, [&](std::size_t begin, std::size_t end) {
         std::vector<Index> others;
         for (std::size_t i = begin; i < end; ++i) {
@@ -195,11 +198,12 @@ void FacingSegments::find_sharp_nodes(const ContactMotion& motion)
             sharp_[i] = sharp;
         }
     });
-    find_extents();
+    find_standing();
 }
 
-/// Rings of facets between each facet and the next rim or sharp edge, four at most, times its size.
-void FacingSegments::find_extents()
+/// Rings of facets between each facet and the next rim or sharp edge, four at most, times its size; the
+/// fourth power of it.
+void FacingSegments::find_standing()
 {
     constexpr int rings = 4;
     std::vector<int> ring(mesh_.nodes.size(), rings);
@@ -216,9 +220,11 @@ void FacingSegments::find_extents()
             for (Index corner : facet.corner) ring[corner] = std::min(ring[corner], round);
         }
     }
-    extent_.resize(mesh_.facets.size());
-    for (std::size_t i = 0; i < extent_.size(); ++i)
-        extent_[i] = (least(mesh_.facets[i]) + 0.25) * mesh_.facets[i].size;
+    standing_.resize(mesh_.facets.size());
+    for (std::size_t i = 0; i < standing_.size(); ++i) {
+        const double extent = (least(mesh_.facets[i]) + 0.25) * mesh_.facets[i].size;
+        standing_[i] = extent * extent * (extent * extent);
+    }
 }
 
 double FacingSegments::node_weight(const ContactMotion& motion, Index node, const Vec3& normal) const
@@ -251,28 +257,55 @@ const FacingTouch* FacingSegments::touch_between(const std::vector<FacingTouch>&
     return there ? &*found : nullptr;
 }
 
+/// Lists the touches of the last cycle by facet.
+void FacingSegments::index_touches()
+{
+    facet_begin_.clear();
+    if (before_.empty()) return;
+    facet_begin_.assign(mesh_.facets.size() + 1, 0);
+    for (const FacingTouch& touch : before_) {
+        ++facet_begin_[touch.first + 1];
+        ++facet_begin_[touch.second + 1];
+    }
+    std::partial_sum(facet_begin_.begin(), facet_begin_.end(), facet_begin_.begin());
+    of_facet_.resize(facet_begin_.back());
+    for (std::size_t i = before_.size(); i-- > 0;) { // from behind: the ends become the beginnings
+        of_facet_[--facet_begin_[before_[i].first + 1]] = static_cast<Index>(i);
+        of_facet_[--facet_begin_[before_[i].second + 1]] = static_cast<Index>(i);
+    }
+    facet_begin_.erase(facet_begin_.begin());
+    facet_begin_.push_back(static_cast<Index>(of_facet_.size()));
+}
+
 /// The touch of the last step of one of the two with a neighbour of the other, from about this direction: as
-/// segments slide, they meet one after the other. turned: it has them the other way round.
+/// segments slide, they meet one after the other. turned: it has them the other way round. Of several that
+/// agree with the direction alike, the one at the first corner.
 const FacingTouch* FacingSegments::old_beside(Index a, Index b, const Vec3& direction, bool& turned) const
 {
-    if (before_.empty()) return nullptr;
     const FacingTouch* best = nullptr;
     double nearest = 0.5;
-    const auto look = [&](Index x, Index y, bool swapped) {
-        const FacingTouch* old = touch_between(before_, x, y);
-        if (!old) return;
-        const double along = std::abs(dot(old->normal, direction));
-        if (along <= nearest) return;
-        nearest = along;
-        best = old;
-        turned = swapped != (x > y);
+    std::tuple<int, int, Index> best_place{};
+    const auto look = [&](Index of, Index beside, int round) {
+        const auto& corner = mesh_.facets[beside].corner;
+        for (const Index number : old_touches_of(of)) {
+            const FacingTouch& old = before_[number];
+            const Index other = old.first == of ? old.second : old.first;
+            if (other == beside || !mesh_.facets[other].exposed) continue;
+            const auto& others = mesh_.facets[other].corner;
+            const auto common =
+                std::find_first_of(corner.begin(), corner.end(), others.begin(), others.end());
+            if (common == corner.end()) continue;
+            const double along = std::abs(dot(old.normal, direction));
+            const std::tuple place(round, static_cast<int>(common - corner.begin()), other);
+            if (along < nearest || (along == nearest && (!best || place > best_place))) continue;
+            nearest = along;
+            best = &old;
+            best_place = place;
+            turned = round == 0 ? a > other : other > b;
+        }
     };
-    for (Index corner : mesh_.facets[b].corner)
-        for (Index other : mesh_.facets_at_node(corner))
-            if (other != b && other != a) look(a, other, false);
-    for (Index corner : mesh_.facets[a].corner)
-        for (Index other : mesh_.facets_at_node(corner))
-            if (other != a && other != b) look(other, b, false);
+    look(a, b, 0);
+    look(b, a, 1);
     return best;
 }
 
@@ -288,60 +321,50 @@ Friction FacingSegments::friction_of(Index a, Index b) const
             0.5 * (first.decay + second.decay), 0.5 * (first.shear_cap + second.shear_cap)};
 }
 
-/// old  the touch of this pair in the last cycle, or nullptr
-bool FacingSegments::touch_of(const ContactMotion& motion, double step, Pair& pair, const FacingTouch* old,
+bool FacingSegments::touch_of(const ContactMotion& motion, double step, const FacingCandidate& candidate,
                               FacingTouch& touch) const
 {
+    const FacingPair& pair = pairs_[candidate.pair];
+    const FacingTouch* old = candidate.old == none ? nullptr : &before_[candidate.old];
     const PressFacet &a = mesh_.facets[pair.first], &b = mesh_.facets[pair.second];
-    const auto at_a = corners_of(motion, a), at_b = corners_of(motion, b);
-    const Vec3 &to_a = normals_[pair.first], &to_b = normals_[pair.second];
-    const Vec3 middle_a = middle_of(at_a), middle_b = middle_of(at_b);
-    const double reach = reach_of(a, b);
-    const PlaneDistance off(at_a, middle_b, to_b), warp(at_b, middle_b, to_b);
-    pair.due = motion.travelled + off.least - warp.largest - reach;
-    if (off.least - warp.largest > reach + motion.step_range) return false;
-
-    const double along = dot(to_a, to_b);
-    if (a.one_sided && b.one_sided && along > 0) return false;
-    const double weight = facing_weight(std::abs(along));
-    if (weight == 0 && !old) return false;
-    const auto fourth_power = [](double x) { return x * x * (x * x); };
-    const double first_extent = fourth_power(extent_[pair.first]),
-                 second_extent = fourth_power(extent_[pair.second]);
-    Vec3 normal = unit(second_extent * to_b + (along < 0 ? -first_extent : first_extent) * to_a);
     const double gap = a.half_thickness + b.half_thickness, depth = std::max(a.depth, b.depth);
-    if (SegmentOverlap::apart(at_a, at_b, normal, gap, depth)) return false;
-    bool fixed = a.one_sided || b.one_sided;
-    if (a.one_sided ? dot(normal, to_a) > 0 : b.one_sided && dot(normal, to_b) < 0) normal = -normal;
+    const auto at_a = corners_of(motion, a), at_b = corners_of(motion, b);
+    Vec3 normal = candidate.normal;
+    if (a.one_sided ? dot(normal, candidate.first_normal) > 0
+                    : b.one_sided && dot(normal, candidate.second_normal) < 0)
+        normal = -normal;
+    SegmentOverlap overlap(at_a, at_b, normal, gap);
+    if (overlap.empty()) return false;
+    const auto touching = [&](double penetration) { return penetration > 0 && gap - penetration >= -depth; };
+    const bool fixed = a.one_sided || b.one_sided;
+    if (!touching(overlap.deepest()) && (fixed || !touching(overlap.deepest_behind()))) return false;
+    const auto turn_round = [&] {
+        normal = -normal;
+        overlap.turn_round();
+    };
     bool turned = false;
     if (!old) old = old_beside(pair.first, pair.second, normal, turned);
     const Vec3 old_normal = old ? (turned ? -1.0 : 1.0) * old->normal : Vec3{};
     if (fixed) {
         if (old && dot(old_normal, normal) < 0) old = nullptr;
     } else if (old) {
-        if (dot(old_normal, normal) < 0) normal = -normal;
-        fixed = true;
-    } else if (dot(middle_a - middle_b, normal) < 0) {
-        normal = -normal;
-    }
-    std::optional<SegmentOverlap> overlap(std::in_place, at_a, at_b, normal, gap);
-    if (overlap->empty()) return false;
-    if (!fixed) { // shells that meet: the side on which they were a step ago
+        if (dot(old_normal, normal) < 0) turn_round();
+    } else { // shells that meet: the side on which they were a step ago
+        if (dot(middle_of(at_a) - middle_of(at_b), normal) < 0) turn_round();
         std::array<Vec3, 2> place{};
-        const auto first = overlap->first_middle(), second = overlap->second_middle();
+        const auto first = overlap.first_middle(), second = overlap.second_middle();
         for (int i = 0; i < 4; ++i) {
             const bool known = motion.last_step > 0;
             place[0] += first[i] * (known ? motion.previous(a.corner[i]) : at_a[i]);
             place[1] += second[i] * (known ? motion.previous(b.corner[i]) : at_b[i]);
         }
-        if (dot(place[0] - place[1], normal) < 0) {
-            normal = -normal;
-            overlap.emplace(at_a, at_b, normal, gap);
-        }
+        if (dot(place[0] - place[1], normal) < 0) turn_round();
     }
-    touch.penetration = overlap->deepest();
+    touch.penetration = overlap.deepest();
+    if (!touching(touch.penetration)) return false;
     const double distance = gap - touch.penetration;
-    if (touch.penetration <= 0 || distance < -depth) return false;
+    const double weight = facing_weight(std::abs(candidate.along));
+    const double first_standing = standing_[pair.first], second_standing = standing_[pair.second];
     touch.first = pair.first;
     touch.second = pair.second;
     touch.normal = normal;
@@ -355,8 +378,8 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, Pair& pa
         // A pair that is new grows from nothing, and so does its friction.
         if (old->first == pair.first && old->second == pair.second) touch.friction = old->friction;
     } else {
-        const double closing = dot(at_shares(overlap->second_middle(), b, motion.velocity) -
-                                       at_shares(overlap->first_middle(), a, motion.velocity),
+        const double closing = dot(at_shares(overlap.second_middle(), b, motion.velocity) -
+                                       at_shares(overlap.first_middle(), a, motion.velocity),
                                    normal);
         // Round-off of surfaces that slide across one another is no approach.
         const double path = std::max(0.0, closing) * motion.last_step;
@@ -370,10 +393,10 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, Pair& pa
     }
     // By the area that the facet had at the start: a face that is stretched or tilted under load is no
     // stiffer.
-    const double share = second_extent / (first_extent + second_extent);
-    const double area = share * a.size * a.size / overlap->first_area() +
-                        (1 - share) * b.size * b.size / overlap->second_area();
-    apply_law(motion, area * areal_stiffness(pair.first, pair.second, step), *overlap, touch);
+    const double share = second_standing / (first_standing + second_standing);
+    const double area = share * a.size * a.size / overlap.first_area() +
+                        (1 - share) * b.size * b.size / overlap.second_area();
+    apply_law(motion, area * areal_stiffness(pair.first, pair.second, step), overlap, touch);
     return true;
 }
 
@@ -416,32 +439,13 @@ double FacingSegments::find(const ContactMotion& motion, double step)
     if (!holds(motion)) search(motion);
     std::swap(now_, before_);
     now_.clear();
-    const double now = motion.travelled + motion.step_range;
-    normals_.resize(mesh_.facets.size());
-    for_chunks(pairs_.empty() ? 0 : normals_.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (mesh_.facets[i].exposed) normals_[i] = normal_of(motion, static_cast<Index>(i));
-        }
-    });
-    struct Found {
-        std::size_t pair;
-        FacingTouch touch;
-    };
-    std::vector<std::vector<Found>> found((pairs_.size() + chunk_length - 1) / chunk_length);
-    for_chunks(pairs_.size(), [&](std::size_t begin, std::size_t end) {
-        auto& touches = found[begin / chunk_length];
-        for (std::size_t i = begin; i < end; ++i) {
-            Pair& pair = pairs_[i];
-            const FacingTouch* old = pair.touch == none ? nullptr : &before_[pair.touch];
-            pair.touch = none;
-            if (pair.due > now) continue;
-            FacingTouch touch;
-            if (touch_of(motion, step, pair, old, touch)) touches.push_back({i, touch});
-        }
-    });
+    index_touches();
+    chunks_.resize((pairs_.size() + chunk_length - 1) / chunk_length);
+    for_chunks(pairs_.size(),
+               [&](std::size_t begin, std::size_t end) { find_chunk(motion, step, begin, end); });
     double loss = 0;
-    for (const auto& touches : found) {
-        for (const Found& one : touches) {
+    for (const Chunk& chunk : chunks_) {
+        for (const Chunk::Found& one : chunk.found) {
             pairs_[one.pair].touch = static_cast<Index>(now_.size());
             now_.push_back(one.touch);
             loss += one.touch.friction_loss;
@@ -450,9 +454,34 @@ double FacingSegments::find(const ContactMotion& motion, double step)
     return loss;
 }
 
+/// Touches of a chunk of the pairs.
+void FacingSegments::find_chunk(const ContactMotion& motion, double step, std::size_t begin, std::size_t end)
+{
+    Chunk& chunk = chunks_[begin / chunk_length];
+    chunk.due.clear();
+    chunk.left.clear();
+    chunk.found.clear();
+    const double now = motion.travelled + motion.step_range;
+    for (std::size_t i = begin; i < end; ++i) {
+        FacingPair& pair = pairs_[i];
+        if (pair.due <= now) {
+            FacingCandidate& one = chunk.due.emplace_back();
+            one.pair = static_cast<Index>(i);
+            one.old = pair.touch;
+            one.alone = old_touches_of(pair.first).empty() && old_touches_of(pair.second).empty();
+        }
+        pair.touch = none;
+    }
+    FacingTest(mesh_, motion, standing_).test(pairs_, chunk.due, chunk.left);
+    for (const FacingCandidate& one : chunk.left) {
+        FacingTouch touch;
+        if (touch_of(motion, step, one, touch)) chunk.found.push_back({one.pair, touch});
+    }
+}
+
 void FacingSegments::serialise(Archive& archive)
 {
-    archive(pairs_, searched_at_, test_due_, sharp_, extent_, now_, searches_);
+    archive(pairs_, searched_at_, test_due_, sharp_, standing_, now_, searches_);
 }
 
 } // namespace plash

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "contact/bounding_tree.h"
-#include "contact/mesh_motion.h"
+#include "contact/facing_test.h"
 #include "contact/penalty_law.h"
 #include "contact/segment_overlap.h"
 #include "core/archive.h"
 
-#include <algorithm>
+#include <span>
 
 namespace plash {
 
@@ -24,14 +23,6 @@ struct FacingTouch {
     Vec3 force{};                                  ///< whole force on the first [force]
     double friction_loss = 0;                      ///< what friction took in the last step [energy]
 };
-
-/// How far two surfaces whose outward normals meet at cosine -c face one another: 1 up to 37 degrees of tilt,
-/// 0 from 60 degrees on. What is missing to 1 is left to nodes on segments: rims of shells on faces, sharp
-/// corners.
-inline double facing_weight(double c)
-{
-    return std::min(1.0, std::max(0.0, (c - 0.5) / 0.3));
-}
 
 /// Contact of segments with segments (SOFT = 2).
 ///
@@ -76,34 +67,49 @@ public:
     void serialise(Archive& archive);
 
 private:
-    struct Pair {
-        Index first = none, second = none;
-        double due = 0;     ///< path before which they cannot touch [length]
-        Index touch = none; ///< its place among the touches of the last cycle
+    /// What a chunk of the pairs leaves, in room that is used again from cycle to cycle.
+    struct Chunk {
+        struct Found {
+            Index pair = none;
+            FacingTouch touch;
+        };
+        std::vector<FacingCandidate> due, left;
+        std::vector<Found> found;
     };
     const ContactMesh& mesh_;
     Options options_;
     std::vector<Friction> frictions_; ///< by part; the last: of facets without one
     std::vector<double> area_mass_;   ///< by facet [mass/area]
     double margin_ = 0;
-    std::vector<Pair> pairs_;
+    std::vector<FacingPair> pairs_;
     std::vector<Vec3> searched_at_;
     double test_due_ = 0;
     std::vector<std::uint8_t> sharp_;
-    std::vector<double> extent_; ///< by facet: how far it is from the next rim or sharp edge [length]
-    std::vector<Vec3> normals_;  ///< by facet, at n
+    /// By facet: fourth power of how far it is from the next rim or sharp edge [length^4].
+    std::vector<double> standing_;
     std::vector<FacingTouch> now_, before_; ///< in the order of pairs
+    /// Touches of the last cycle by facet: those of f are of_facet_[facet_begin_[f]] ..
+    /// of_facet_[facet_begin_[f + 1] - 1], in the order of pairs. Empty without touches.
+    std::vector<Index> facet_begin_, of_facet_;
+    std::vector<Chunk> chunks_;
     long searches_ = 0;
 
     bool holds(const ContactMotion& motion);
     void search(const ContactMotion& motion);
     bool may_meet(Index a, Index b) const;
     void find_sharp_nodes(const ContactMotion& motion);
-    void find_extents();
+    void find_standing();
+    void index_touches();
+    void find_chunk(const ContactMotion& motion, double step, std::size_t begin, std::size_t end);
     double areal_stiffness(Index a, Index b, double step) const;
     static const FacingTouch* touch_between(const std::vector<FacingTouch>& touches, Index a, Index b);
+    std::span<const Index> old_touches_of(Index facet) const
+    {
+        if (facet_begin_.empty()) return {};
+        return {of_facet_.data() + facet_begin_[facet], of_facet_.data() + facet_begin_[facet + 1]};
+    }
     const FacingTouch* old_beside(Index a, Index b, const Vec3& direction, bool& turned) const;
-    bool touch_of(const ContactMotion& motion, double step, Pair& pair, const FacingTouch* old,
+    bool touch_of(const ContactMotion& motion, double step, const FacingCandidate& candidate,
                   FacingTouch& touch) const;
     void apply_law(const ContactMotion& motion, double stiffness, const SegmentOverlap& overlap,
                    FacingTouch& touch) const;

@@ -11,11 +11,14 @@ namespace plash {
 /// the node came in by in the step in which it was found. The work of a bounce in explicit steps then closes
 /// to about a thousandth; with the kink, the half step of full force at either end leaves up to (omega dt)^2
 /// / 4 of the peak.
-inline double rounded_force(double stiffness, double penetration, double rounding)
+template <class Lane>
+inline Lane rounded_force(double stiffness, const Lane& penetration, double rounding)
 {
-    if (penetration <= 0) return 0;
-    if (penetration < rounding) return 0.5 * stiffness * penetration * penetration / rounding;
-    return stiffness * (penetration - 0.5 * rounding);
+    const Lane zero{}, kink = broadcast<Lane>(rounding);
+    const Lane least = broadcast<Lane>(1e-300); // what is divided by it is not taken without rounding
+    const Lane soft = (0.5 * stiffness) * penetration * penetration / max(kink, least);
+    const Lane plain = stiffness * (penetration - 0.5 * rounding);
+    return penetration > zero ? (penetration < kink ? soft : plain) : zero;
 }
 
 /// Stiffness that PENOPT of *CONTROL_CONTACT takes from those of node and segment: 1 the smaller one, 2 and

@@ -20,9 +20,37 @@ std::pair<Vec3, Vec3> across(const Vec3& normal)
     return {first, cross(normal, first)};
 }
 
-double height_at(const std::array<double, 4>& share, const std::array<double, 4>& height)
+/// Points of a plane in batches of lanes; the last batch is filled up with its first point.
+template <int most>
+struct PointBatches {
+    static constexpr int room = (most + lane_count - 1) / lane_count * lane_count;
+    alignas(sizeof(Lanes)) std::array<double, room> x;
+    alignas(sizeof(Lanes)) std::array<double, room> y;
+    alignas(sizeof(Lanes)) std::array<double, room> weight; ///< 0 of what fills up
+    int count = 0;
+
+    void add(double at_x, double at_y, double with_weight)
+    {
+        x[count] = at_x;
+        y[count] = at_y;
+        weight[count++] = with_weight;
+    }
+    void fill_up()
+    {
+        const int whole = (count + lane_count - 1) / lane_count * lane_count;
+        for (int i = count; i < whole; ++i) {
+            x[i] = x[0];
+            y[i] = y[0];
+            weight[i] = 0;
+        }
+    }
+};
+
+double sum_of(const Lanes& lanes)
 {
-    return share[0] * height[0] + share[1] * height[1] + share[2] * height[2] + share[3] * height[3];
+    double sum = 0;
+    for (int lane = 0; lane < lane_count; ++lane) sum += lanes[lane];
+    return sum;
 }
 
 } // namespace
@@ -47,29 +75,35 @@ SegmentOverlap::SegmentOverlap(const Corners& first, const Corners& second, cons
     project(first, first_);
     project(second, second_);
     clip();
-    for (int i = 0; i < count_; ++i) {
-        vertex_[i].penetration = penetration_at(vertex_[i].at);
-        deepest_ = std::max(deepest_, vertex_[i].penetration);
+    measure();
+}
+
+/// Distances of the surfaces at the corners of the overlap.
+void SegmentOverlap::measure()
+{
+    if (count_ == 0) return;
+    PointBatches<most_corners> points;
+    for (int i = 0; i < count_; ++i) points.add(vertex_[i].at.x, vertex_[i].at.y, 1);
+    points.fill_up();
+    for (int begin = 0; begin < count_; begin += lane_count) {
+        const Lanes x = plash::load<Lanes>(&points.x[begin]), y = plash::load<Lanes>(&points.y[begin]);
+        const Lanes distance =
+            height_at(shares_at(first_, x, y), first_) - height_at(shares_at(second_, x, y), second_);
+        for (int i = begin; i < std::min(count_, begin + lane_count); ++i) {
+            vertex_[i].distance = distance[i - begin];
+            least_ = std::min(least_, vertex_[i].distance);
+            most_ = std::max(most_, vertex_[i].distance);
+        }
     }
 }
 
-bool SegmentOverlap::apart(const Corners& first, const Corners& second, const Vec3& normal, double gap,
-                           double depth)
+void SegmentOverlap::turn_round()
 {
-    const auto clear = [&](const Vec3& axis, double above, double below) {
-        double first_low = 1e300, first_high = -1e300, second_low = 1e300, second_high = -1e300;
-        for (int i = 0; i < 4; ++i) {
-            const double a = dot(first[i], axis), b = dot(second[i], axis);
-            first_low = std::min(first_low, a);
-            first_high = std::max(first_high, a);
-            second_low = std::min(second_low, b);
-            second_high = std::max(second_high, b);
-        }
-        return first_low > second_high + above || second_low > first_high + below;
-    };
-    if (clear(normal, gap, std::max(gap, depth))) return true;
-    const auto [along, beside] = across(normal);
-    return clear(along, 0, 0) || clear(beside, 0, 0);
+    for (double& height : first_.height) height = -height;
+    for (double& height : second_.height) height = -height;
+    for (int i = 0; i < count_; ++i) vertex_[i].distance = -vertex_[i].distance;
+    least_ = std::exchange(most_, -least_);
+    least_ = -least_;
 }
 
 /// The shadow of the first segment, cut by the sides of the second one after the other.
@@ -82,7 +116,7 @@ void SegmentOverlap::clip()
         area += 0.5 * (a.x * b.y - a.y * b.x);
     }
     const double turn = area < 0 ? -1 : 1;
-    std::array<Point2, most> from{}, to{};
+    std::array<Point2, most_corners> from{}, to{};
     int count = first_.triangle ? 3 : 4;
     for (int i = 0; i < count; ++i) from[i] = first_.at[i];
     for (int side = 0; side < sides && count > 0; ++side) {
@@ -94,8 +128,8 @@ void SegmentOverlap::clip()
         for (int i = 0; i < count; ++i) {
             const Point2 &p = from[i], &q = from[(i + 1) % count];
             const double at_p = inside(p), at_q = inside(q);
-            if (at_p >= 0 && kept < most) to[kept++] = p;
-            if ((at_p >= 0) == (at_q >= 0) || kept >= most) continue;
+            if (at_p >= 0 && kept < most_corners) to[kept++] = p;
+            if ((at_p >= 0) == (at_q >= 0) || kept >= most_corners) continue;
             const double along = at_p / (at_p - at_q);
             to[kept++] = {p.x + along * (q.x - p.x), p.y + along * (q.y - p.y)};
         }
@@ -113,38 +147,41 @@ void SegmentOverlap::clip()
     for (int i = 0; i < count; ++i) vertex_[i].at = from[i];
 }
 
-/// Shape functions where the shadow of a segment has a point: Newton's method on the bilinear map, exact in
-/// one round on parallelograms.
-std::array<double, 4> SegmentOverlap::shares_at(const Shadow& shadow, const Point2& point)
+/// Shape functions where the shadow of a segment has a point: the bilinear map p = s u + t v + s t w
+/// inverted. p - t v is along u + t w, which is a quadratic equation in t, (p x u) + t (u x v + p x w) - t^2
+/// (v x w) = 0; its root near the parallelogram's is found without cancellation. Points lie within the shadow
+/// or close to it.
+template <class Lane>
+SegmentOverlap::Shares<Lane> SegmentOverlap::shares_at(const Shadow& shadow, const Lane& x, const Lane& y)
 {
     const auto& q = shadow.at;
     const int last = shadow.triangle ? 2 : 3;
     const Point2 u{q[1].x - q[0].x, q[1].y - q[0].y}, v{q[last].x - q[0].x, q[last].y - q[0].y};
-    const Point2 reach{point.x - q[0].x, point.y - q[0].y};
     const Point2 twist = shadow.triangle
                              ? Point2{}
                              : Point2{q[2].x - q[1].x - q[3].x + q[0].x, q[2].y - q[1].y - q[3].y + q[0].y};
-    double s = 0.5, t = 0.5;
-    for (int round = 0; round < 8; ++round) {
-        const Point2 rest{reach.x - s * u.x - t * v.x - s * t * twist.x,
-                          reach.y - s * u.y - t * v.y - s * t * twist.y};
-        const Point2 along_s{u.x + t * twist.x, u.y + t * twist.y};
-        const Point2 along_t{v.x + s * twist.x, v.y + s * twist.y};
-        const double determinant = along_s.x * along_t.y - along_s.y * along_t.x;
-        if (determinant == 0) break;
-        const double more_s = (rest.x * along_t.y - rest.y * along_t.x) / determinant;
-        const double more_t = (along_s.x * rest.y - along_s.y * rest.x) / determinant;
-        s = std::clamp(s + more_s, -0.5, 1.5);
-        t = std::clamp(t + more_t, -0.5, 1.5);
-        if (std::abs(more_s) + std::abs(more_t) < 1e-15) break;
-    }
-    return corner_shares(s, t, shadow.triangle);
+    const double turn = u.x * v.y - u.y * v.x < 0 ? -1 : 1; // of the corners
+    const double square = turn * (u.x * v.y - u.y * v.x), bend = turn * (v.x * twist.y - v.y * twist.x);
+    const Lane zero{}, one = broadcast<Lane>(1), low = broadcast<Lane>(-0.5), high = broadcast<Lane>(1.5);
+    const Lane tiny = broadcast<Lane>(1e-300);
+    const Lane p_x = x - q[0].x, p_y = y - q[0].y;
+    const Lane constant = turn * (p_x * u.y - p_y * u.x);
+    const Lane slope = square + turn * (p_x * twist.y - p_y * twist.x);
+    const Lane root = sqrt(max(slope * slope + (4 * bend) * constant, zero));
+    const Lane t = min(max(-2.0 * constant / max(slope + root, tiny), low), high);
+    const Lane along_x = u.x + t * twist.x, along_y = u.y + t * twist.y;
+    const Lane rest_x = p_x - t * v.x, rest_y = p_y - t * v.y;
+    const Lane length2 = max(along_x * along_x + along_y * along_y, tiny);
+    const Lane s = min(max((rest_x * along_x + rest_y * along_y) / length2, low), high);
+    if (shadow.triangle) return {one - s - t, s, t, zero};
+    return {(one - s) * (one - t), s * (one - t), s * t, (one - s) * t};
 }
 
-double SegmentOverlap::penetration_at(const Point2& point) const
+template <class Lane>
+Lane SegmentOverlap::height_at(const Shares<Lane>& share, const Shadow& shadow)
 {
-    return gap_ - height_at(shares_at(first_, point), first_.height) +
-           height_at(shares_at(second_, point), second_.height);
+    return share[0] * shadow.height[0] + share[1] * shadow.height[1] + share[2] * shadow.height[2] +
+           share[3] * shadow.height[3];
 }
 
 SegmentOverlap::Point2 SegmentOverlap::middle() const
@@ -159,12 +196,14 @@ SegmentOverlap::Point2 SegmentOverlap::middle() const
 
 std::array<double, 4> SegmentOverlap::first_middle() const
 {
-    return shares_at(first_, middle());
+    const Point2 at = middle();
+    return shares_at(first_, at.x, at.y);
 }
 
 std::array<double, 4> SegmentOverlap::second_middle() const
 {
-    return shares_at(second_, middle());
+    const Point2 at = middle();
+    return shares_at(second_, at.x, at.y);
 }
 
 /// Cuts off what is not deeper than the baseline, so that the force sets in smoothly where segments are
@@ -172,39 +211,47 @@ std::array<double, 4> SegmentOverlap::second_middle() const
 /// parallelograms, whose shape functions are quadratic).
 SegmentOverlap::Load SegmentOverlap::load(const Law& law) const
 {
-    std::array<Vertex, most + 1> deep{};
+    std::array<Point2, most_corners + 1> deep;
     int count = 0;
     for (int i = 0; i < count_; ++i) {
         const Vertex &p = vertex_[i], &q = vertex_[(i + 1) % count_];
-        const double at_p = p.penetration - law.baseline, at_q = q.penetration - law.baseline;
-        if (at_p > 0) deep[count++] = p;
+        const double at_p = gap_ - p.distance - law.baseline, at_q = gap_ - q.distance - law.baseline;
+        if (at_p > 0) deep[count++] = p.at;
         if ((at_p > 0) == (at_q > 0)) continue;
         const double along = at_p / (at_p - at_q);
-        deep[count++].at = {p.at.x + along * (q.at.x - p.at.x), p.at.y + along * (q.at.y - p.at.y)};
+        deep[count++] = {p.at.x + along * (q.at.x - p.at.x), p.at.y + along * (q.at.y - p.at.y)};
     }
     Load load;
+    PointBatches<3 * most_corners> points;
     for (int i = 1; i + 1 < count; ++i) {
-        const Point2 &a = deep[0].at, &b = deep[i].at, &c = deep[i + 1].at;
+        const Point2 &a = deep[0], &b = deep[i], &c = deep[i + 1];
         const double area = 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
         if (area == 0) continue;
         load.area += area;
         constexpr double far = 2.0 / 3, near = 1.0 / 6;
-        constexpr std::array<std::array<double, 3>, 3> points = {
-            {{far, near, near}, {near, far, near}, {near, near, far}}};
-        for (const auto& weight : points) {
-            const Point2 at{weight[0] * a.x + weight[1] * b.x + weight[2] * c.x,
-                            weight[0] * a.y + weight[1] * b.y + weight[2] * c.y};
-            const auto on_first = shares_at(first_, at), on_second = shares_at(second_, at);
-            const double penetration =
-                gap_ - height_at(on_first, first_.height) + height_at(on_second, second_.height);
-            const double force =
-                area / 3 * rounded_force(law.stiffness, penetration - law.baseline, law.rounding);
-            load.force += force;
-            for (int corner = 0; corner < 4; ++corner) {
-                load.first[corner] += force * on_first[corner];
-                load.second[corner] += force * on_second[corner];
-            }
+        points.add(far * a.x + near * (b.x + c.x), far * a.y + near * (b.y + c.y), area / 3);
+        points.add(far * b.x + near * (a.x + c.x), far * b.y + near * (a.y + c.y), area / 3);
+        points.add(far * c.x + near * (a.x + b.x), far * c.y + near * (a.y + b.y), area / 3);
+    }
+    points.fill_up();
+    Lanes force{}, first[4] = {}, second[4] = {};
+    for (int begin = 0; begin < points.count; begin += lane_count) {
+        const Lanes x = plash::load<Lanes>(&points.x[begin]), y = plash::load<Lanes>(&points.y[begin]);
+        const auto on_first = shares_at(first_, x, y), on_second = shares_at(second_, x, y);
+        const Lanes active =
+            gap_ - law.baseline - height_at(on_first, first_) + height_at(on_second, second_);
+        const Lanes part =
+            plash::load<Lanes>(&points.weight[begin]) * rounded_force(law.stiffness, active, law.rounding);
+        force += part;
+        for (int corner = 0; corner < 4; ++corner) {
+            first[corner] += part * on_first[corner];
+            second[corner] += part * on_second[corner];
         }
+    }
+    load.force = sum_of(force);
+    for (int corner = 0; corner < 4; ++corner) {
+        load.first[corner] = sum_of(first[corner]);
+        load.second[corner] = sum_of(second[corner]);
     }
     if (!(load.force > 0)) {
         load.force = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "math/lanes.h"
 #include "math/vector3.h"
 
 #include <array>
@@ -34,18 +35,16 @@ public:
     /// normal   unit, from the second segment to the first
     SegmentOverlap(const Corners& first, const Corners& second, const Vec3& normal, double gap);
 
-    /// Whether boxes around the two segments, one edge along `normal`, are apart: beside one another, or by
-    /// more than `gap` one way or `depth` and `gap` the other way along it. Much cheaper than looking for an
-    /// overlap.
-    static bool apart(const Corners& first, const Corners& second, const Vec3& normal, double gap,
-                      double depth);
-
     bool empty() const { return count_ == 0; }
+    /// Looks from the other side: the normal turns round.
+    void turn_round();
     /// Areas of the two shadows [area].
     double first_area() const { return first_.area; }
     double second_area() const { return second_.area; }
     /// Largest penetration [length]; negative if they are apart.
-    double deepest() const { return deepest_; }
+    double deepest() const { return gap_ - least_; }
+    /// Largest penetration seen from the other side.
+    double deepest_behind() const { return gap_ + most_; }
     /// Shares of the corners where the overlap has its middle.
     std::array<double, 4> first_middle() const;
     std::array<double, 4> second_middle() const;
@@ -65,20 +64,25 @@ private:
     };
     struct Vertex {
         Point2 at;
-        double penetration = 0; ///< [length]
+        double distance = 0; ///< of the two surfaces along `normal` [length]
     };
-    static constexpr int most = 12; ///< corners of an overlap: four and four, one more by the edge of contact
+    static constexpr int most_corners = 12; ///< of an overlap: four and four, one more by the edge of contact
+    template <class Lane>
+    using Shares = std::array<Lane, 4>;
 
     Shadow first_, second_;
     double gap_ = 0;
-    std::array<Vertex, most> vertex_{};
+    std::array<Vertex, most_corners> vertex_{};
     int count_ = 0;
-    double deepest_ = -1e300;
+    double least_ = 1e300, most_ = -1e300; ///< distances of the vertices [length]
 
-    static std::array<double, 4> shares_at(const Shadow& shadow, const Point2& point);
-    double penetration_at(const Point2& point) const;
+    template <class Lane>
+    static Shares<Lane> shares_at(const Shadow& shadow, const Lane& x, const Lane& y);
+    template <class Lane>
+    static Lane height_at(const Shares<Lane>& share, const Shadow& shadow);
     Point2 middle() const;
     void clip();
+    void measure();
 };
 
 } // namespace plash

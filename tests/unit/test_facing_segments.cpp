@@ -1,0 +1,156 @@
+#include "contact/closest_point.h"
+#include "contact/facing_test.h"
+#include "contact/segment_overlap.h"
+#include "tests/support/contact_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace plash {
+
+namespace {
+
+using testing::ContactModel;
+
+constexpr double pi = 3.141592653589793;
+
+/// Pairs of warped quadrilaterals, each pair close together and far from the others.
+struct Couples {
+    ContactModel built;
+    ContactMesh mesh;
+    ContactMotion motion;
+    std::vector<FacingPair> pairs;
+    std::vector<double> standing;
+
+    explicit Couples(int count)
+    {
+        const Index part = built.add_part(1, 210, 0.2);
+        std::mt19937 random(11);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        for (int couple = 0; couple < count; ++couple) {
+            const double turn = pi * unit(random), slant = 0.5 * pi * unit(random);
+            const Vec3 offset{0.8 * unit(random), 0.8 * unit(random), 0.6 * unit(random)};
+            for (int side = 0; side < 2; ++side) {
+                const double c = std::cos(side * turn), s = std::sin(side * turn);
+                const double tilt = side * slant * slant * slant; // mostly small
+                built.add_sheet(part, 1, 1, [&](double u, double v) {
+                    const double x = u - 0.5 + 0.15 * unit(random), y = v - 0.5 + 0.15 * unit(random);
+                    const Vec3 flat{c * x - s * y, s * x + c * y, 0.1 * unit(random)};
+                    const Vec3 tilted{std::cos(tilt) * flat.x + std::sin(tilt) * flat.z, flat.y,
+                                      std::cos(tilt) * flat.z - std::sin(tilt) * flat.x};
+                    return Vec3{10.0 * couple, 0, 0} + double(side) * offset + tilted;
+                });
+            }
+        }
+        ContactSide all;
+        all.kind = ContactSide::Kind::all;
+        const Contact contact;
+        mesh = make_contact_mesh(contact, make_surface(built.model, part_data(built.model), all, {}), {},
+                                 built.model.nodes.position);
+        for (const auto& node : mesh.nodes) motion.position.push_back(built.model.nodes.position[node.node]);
+        motion.velocity.resize(mesh.nodes.size());
+        std::vector<Index> first(count, none);
+        for (std::size_t facet = 0; facet < mesh.facets.size(); ++facet) {
+            standing.push_back(std::exp(2 * unit(random)));
+            const int couple =
+                static_cast<int>(std::lround(motion.position[mesh.facets[facet].corner[0]].x / 10));
+            if (first[couple] == none) {
+                first[couple] = static_cast<Index>(facet);
+            } else {
+                pairs.push_back({first[couple], static_cast<Index>(facet)});
+            }
+        }
+    }
+
+    SegmentOverlap::Corners corners(Index facet) const
+    {
+        const auto& at = mesh.facets[facet].corner;
+        return {motion.position[at[0]], motion.position[at[1]], motion.position[at[2]],
+                motion.position[at[3]]};
+    }
+
+    /// Whether a pair touches, from either side, by plain geometry.
+    bool touches(const FacingPair& pair) const
+    {
+        const auto a = corners(pair.first), b = corners(pair.second);
+        const auto normal_of = [](const SegmentOverlap::Corners& q) {
+            return segment_normal(SegmentCorners<double>{q[0], q[1], q[2], q[3]}, 0.5, 0.5);
+        };
+        const Vec3 to_a = normal_of(a), to_b = normal_of(b);
+        const double along = dot(to_a, to_b);
+        if (facing_weight(std::abs(along)) == 0) return false;
+        const double own = along < 0 ? -standing[pair.first] : standing[pair.first];
+        const Vec3 normal = unit(standing[pair.second] * to_b + own * to_a);
+        const ContactMesh::Facet &first = mesh.facets[pair.first], &second = mesh.facets[pair.second];
+        const double gap = first.half_thickness + second.half_thickness;
+        const double depth = std::max(first.depth, second.depth);
+        const SegmentOverlap overlap(a, b, normal, gap);
+        if (overlap.empty()) return false;
+        const auto counts = [&](double penetration) { return penetration > 0 && gap - penetration > -depth; };
+        return counts(overlap.deepest()) || counts(overlap.deepest_behind());
+    }
+
+    /// Numbers of the pairs that the cheap test leaves; the others are told when they are due.
+    std::vector<Index> left()
+    {
+        std::vector<FacingCandidate> due(pairs.size()), found;
+        for (std::size_t i = 0; i < pairs.size(); ++i) due[i].pair = static_cast<Index>(i);
+        FacingTest(mesh, motion, standing).test(pairs, due, found);
+        std::vector<Index> numbers;
+        for (const FacingCandidate& one : found) numbers.push_back(one.pair);
+        return numbers;
+    }
+};
+
+} // namespace
+
+/// Nothing that touches is left out, and most of what does not touch is.
+TEST(FacingTest, LeavesAllPairsThatTouch)
+{
+    Couples couples(2000);
+    const std::vector<Index> left = couples.left();
+    int touching = 0;
+    for (std::size_t i = 0; i < couples.pairs.size(); ++i) {
+        if (!couples.touches(couples.pairs[i])) continue;
+        ++touching;
+        EXPECT_TRUE(std::binary_search(left.begin(), left.end(), static_cast<Index>(i))) << i;
+    }
+    EXPECT_GT(touching, 300);
+    EXPECT_LT(left.size(), 1.2 * touching);
+}
+
+/// Whatever the nodes do on a path shorter than FacingPair::due, the pair does not come to touch.
+TEST(FacingTest, PairsDoNotTouchBeforeTheyAreDue)
+{
+    Couples couples(2000);
+    couples.left();
+    const std::vector<Vec3> start = couples.motion.position;
+    std::mt19937 random(5);
+    std::normal_distribution<double> any;
+    int waiting = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        waiting = 0;
+        for (const FacingPair& pair : couples.pairs) {
+            if (pair.due <= 0) continue;
+            ++waiting;
+            // Half the path each; half of the trials bring the facets straight together.
+            const Vec3 way =
+                couples.corners(pair.second)[trial % 4] - couples.corners(pair.first)[trial / 4 % 4];
+            for (const Index facet : {pair.first, pair.second}) {
+                for (const Index corner : couples.mesh.facets[facet].corner) {
+                    const Vec3 wild{any(random), any(random), any(random)};
+                    const Vec3 direct = (facet == pair.first ? 1.0 : -1.0) * way;
+                    couples.motion.position[corner] =
+                        start[corner] + (0.499 * pair.due) * unit(trial % 2 == 0 ? wild : direct);
+                }
+            }
+            EXPECT_FALSE(couples.touches(pair)) << pair.first;
+        }
+        couples.motion.position = start;
+    }
+    EXPECT_GT(waiting, 600);
+}
+
+} // namespace plash
