@@ -103,9 +103,10 @@ double leak(int elements_per_edge, const std::string& coupling, double end, Ride
 /// Half of a wedge that enters water at rest with constant speed: slope of the force of the whole wedge in
 /// time over rho V^3, between half of the run and its end. Lengths by the half width at which the wedge cuts
 /// the undisturbed surface in the end, on which there are `cells`.
-double wedge_force_slope(double deadrise_degrees, int cells)
+/// sound  speed of sound over that of the wedge
+double wedge_force_slope(double deadrise_degrees, int cells, double sound)
 {
-    constexpr double density = 1000, speed = 1, sound = 60;
+    constexpr double density = 1000, speed = 1;
     const double rise = std::tan(deadrise_degrees * std::numbers::pi / 180), end = rise, cell = 1.0 / cells;
     const int fine = 2 * cells, above = cells, below = cells;
     std::string mesh = "*ALE_STRUCTURED_MESH\n1,10,1,1\n1,2,3\n";
@@ -144,19 +145,26 @@ TEST(AleCoupling, WedgeEntersWithTheForceOfTheSimilaritySolution)
 {
     const Threads one(1);
     // Measured: -2.6 % on 20 cells, -1.6 % on 40.
-    EXPECT_NEAR(wedge_force_slope(30, 20) / 14.022, 1, 0.03);
+    EXPECT_NEAR(wedge_force_slope(30, 20, 60) / 14.023, 1, 0.03);
 }
 
-// Open: flatter wedges feel too little on 40 cells across the half-width at which they cut the surface. By
-// angle, on 20 and 40 cells: 10 degrees 0.807, 0.885; 20 degrees 0.937, 0.941; 30 degrees 0.975, 0.984; 45
-// degrees 1.030 on 20.
-TEST(AleCoupling, DISABLED_WedgesOfAllAnglesEnterWithTheForceOfTheSimilaritySolution)
+// The solution is that of incompressible water. The edge of the wetted width runs at pi / (2 tan(deadrise))
+// times the wedge's speed (Wagner 1932), 9 times at 10 degrees: with 60 times as the speed of sound the flow
+// is at Mach 0.15 there, and a tenth of the force is missing (0.887 and 0.941 on 40 cells; with 150 times
+// 0.961 and 0.962). Measured with 300: 0.976, 0.974; on 20 cells 0.902, 0.967.
+TEST(AleCoupling, FlatWedgesEnterWithTheForceOfTheSimilaritySolution)
 {
     const Threads one(1);
-    EXPECT_NEAR(wedge_force_slope(10, 40) / 213.001, 1, 0.03);
-    EXPECT_NEAR(wedge_force_slope(20, 40) / 42.280, 1, 0.03);
-    EXPECT_NEAR(wedge_force_slope(30, 40) / 14.023, 1, 0.03);
-    EXPECT_NEAR(wedge_force_slope(45, 40) / 3.4486, 1, 0.03);
+    EXPECT_NEAR(wedge_force_slope(10, 40, 300) / 213.001, 1, 0.03);
+    EXPECT_NEAR(wedge_force_slope(20, 40, 300) / 42.280, 1, 0.03);
+}
+
+// Open: measured 1.030 on 20 cells, 1.036 on 40, with DIREC = 2 1.038, with 300 times as the speed of
+// sound 1.036.
+TEST(AleCoupling, DISABLED_SteepWedgeEntersWithTheForceOfTheSimilaritySolution)
+{
+    const Threads one(1);
+    EXPECT_NEAR(wedge_force_slope(45, 40, 60) / 3.4486, 1, 0.03);
 }
 
 // One Lagrangian element for two thirds of a cell, a cell, six cells.
