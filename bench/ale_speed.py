@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Cell-cycles per second of the Eulerian fluid in whole runs of decks, and its page docs/results/speed_ale.md.
+"""Cell-cycles per second of the Eulerian fluid in whole runs of decks, as a table.
 
 Usage: ale_speed.py [REPEATS] [THREADS...]      (default: 3 repeats, 1 and 2 threads)
-Counted: all cells of the mesh, and those that hold fluid at the start.
+Counted: all cells of the mesh, and those that hold fluid at the start. Best of the repeats, wall seconds of the fluid's
+term (Lagrangian step, interface, van Leer remap); the loop adds what the last column says.
 """
-import datetime
 import json
 import math
 import pathlib
@@ -86,20 +86,12 @@ cases = [("one material, 64^3", 64, 1.0, 60, False), ("water and void, 64^3, a q
          ("nearly empty, 96^3, 1 % wet", 96, 0.1, 200, False),
          ("general hexahedra, one material, 40^3", 40, 1.0, 40, True),
          ("general hexahedra, water and void, 40^3, a quarter wet", 40, 0.5, 80, True)]
-lines = ["# Speed of the Eulerian fluid", "",
-         f"`python3 bench/ale_speed.py {repeats} {' '.join(map(str, thread_counts))}` on {datetime.date.today()}: "
-         "best of the repeats, double precision, wall seconds of the fluid's term (Lagrangian step, interface, van "
-         "Leer remap) in runs of decks with Gruneisen water; the loop adds what the last column says.", "",
-         "| case | threads | M cell-cycles/s, all cells | M cell-cycles/s, wet cells | rest of the run |",
-         "|---|---|---|---|---|"]
+print("| case | threads | M cell-cycles/s, all cells | M cell-cycles/s, wet cells | rest of the run |")
+print("|---|---|---|---|---|")
 for name, cells, filled, cycles, general in cases:
     for threads in thread_counts:
         best = min((seconds(deck(cells, filled, cycles, general), threads) for _ in range(repeats)))
         spent, done, whole, _ = best
         every = cells**3 * done / spent / 1e6
         wet = every * filled**2
-        lines.append(f"| {name} | {threads} | {every:.2f} | {wet:.2f} | {100 * (whole - spent) / whole:.0f} % |")
-        print(lines[-1], flush=True)
-lines += ["", "Peers on this kind of machine (one thread): CloverLeaf3D 5.5 to 6.1 M cell-cycles/s with one ideal gas "
-          "and no interface."]
-(top / "docs" / "results" / "speed_ale.md").write_text("\n".join(lines) + "\n")
+        print(f"| {name} | {threads} | {every:.2f} | {wet:.2f} | {100 * (whole - spent) / whole:.0f} % |", flush=True)
