@@ -40,7 +40,7 @@ double BoxFluid::sweep()
             if (face.axis == axis) close(face);
         sweep_cells(grid, fields, contents, scratch_, axis, order);
         if (open_sides) left += motion_through_sides(grid, fields, axis);
-        sweep_momentum(grid, fields, contents, scratch_, axis, order);
+        sweep_momentum(grid, fields, contents, scratch_, axis, order, smooth_square);
         contents.update(grid, fields);
     }
     return left;

@@ -1,5 +1,8 @@
 #include "ale/fluid.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace plash {
 
 void FluidEnergies::serialise(Archive& archive)
@@ -21,6 +24,17 @@ void Fluid::fill_place(std::ptrdiff_t place, double volume, int group, double fr
     if (groups.size() == 1) return;
     fields.mass_of_groups[place] = 0;
     for (const GroupFields& other : fields.groups) fields.mass_of_groups[place] += other.mass[place];
+}
+
+void Fluid::keep_smooth_slopes(double share)
+{
+    double slowest = std::numeric_limits<double>::infinity(); // square
+    for (const FluidGroup& group : groups) {
+        const double energy = std::visit([](const auto& law) { return law.energy; }, group.law);
+        const double density = group.reference_density;
+        slowest = std::min(slowest, fluid_state(group, density, energy / density).stiffness / density);
+    }
+    smooth_square = groups.empty() ? 0 : share * share * slowest;
 }
 
 void Fluid::keep_ambient(std::vector<std::ptrdiff_t> places)

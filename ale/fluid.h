@@ -52,6 +52,7 @@ public:
     std::vector<FluidGroup> groups;
     LagrangeSettings lagrange;
     AdvectionOrder order = AdvectionOrder::van_leer;
+    double smooth_square = 0;        ///< of the momentum's remap, see carried_velocities [velocity^2]
     std::array<double, 3> gravity{}; ///< [acceleration]
     bool open_sides = false;         ///< fluid may cross the outer faces
     double outside_pressure = 0;     ///< on the outer faces [pressure]
@@ -66,6 +67,9 @@ public:
 
     /// The kinetic energy that the remap takes shall become heat where it was taken.
     void conserve_total_energy() { fields.lost_motion.assign(fields.node_mass.size(), 0.0); }
+    /// Slopes of the velocity stay as they are where it changes by less than this share of the smallest speed
+    /// of sound of any group at rest: sets smooth_square.
+    void keep_smooth_slopes(double share);
     /// Cells that keep the mass, energy and fractions which they have now, whatever flows through them.
     void keep_ambient(std::vector<std::ptrdiff_t> places);
     /// To be called once the initial masses, energies, fractions and velocities are set.

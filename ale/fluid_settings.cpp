@@ -63,6 +63,13 @@ FluidSettings fluid_settings_of(const Model& model)
         set_advection(record, settings);
         set_boundary(model, record, settings);
     }
+    for (const Record& record : model.others) {
+        if (record.keyword != "PLASH_ALE_FORMULATION") continue;
+        settings.smooth = record.real("SMOOTH");
+        if (!(settings.smooth >= 0 && settings.smooth <= 1)) {
+            reject_field(record, "SMOOTH", fmt::format("{:g} is no share between 0 and 1", settings.smooth));
+        }
+    }
     return settings;
 }
 

@@ -55,6 +55,7 @@ EulerianFluid::EulerianFluid(const Model& model, MeshBlock block, DeckGroups gro
       motion_(mesh_motion_of(model, block_))
 {
     fluid_->order = settings.order;
+    if (settings.smooth > 0) fluid_->keep_smooth_slopes(settings.smooth);
     fluid_->open_sides = boundary_.open;
     fluid_->outside_pressure = settings.outside_pressure;
     fill_initial_state(*fluid_, block_, groups_, model);

@@ -38,9 +38,10 @@ void sweep_cells(const BoxGrid&, FluidFields&, const BoxContents&, RemapScratch&
 /// Moves the momentum along one axis with the masses that sweep_cells has noted: Benson's half-index shift
 /// (1992), J. Comput. Phys. 100, 143-162, in the form it takes on a box, where the fluxes of all shifted
 /// cells with one pair of velocities add up to one flux between two nodes. Nodal masses and momenta stay
-/// consistent, and momentum is conserved to round-off.
-void sweep_momentum(const BoxGrid&, FluidFields&, const BoxContents&, RemapScratch&, int axis,
-                    AdvectionOrder);
+/// consistent, and momentum is conserved to round-off. smooth_square  see carried_velocities [velocity^2];
+/// holds where all cells are full of one fluid
+void sweep_momentum(const BoxGrid&, FluidFields&, const BoxContents&, RemapScratch&, int axis, AdvectionOrder,
+                    double smooth_square);
 
 /// Gives the kinetic energy that nodes have lost in the sweeps to the internal energies of the cells around
 /// them, by mass: the remap then conserves total energy (DeBar 1974; METH = 3 of *CONTROL_ALE). Only with

@@ -13,12 +13,13 @@ template <bool second_order>
 class MomentumSweep {
 public:
     MomentumSweep(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents,
-                  RemapScratch& scratch, int axis)
+                  RemapScratch& scratch, int axis, double smooth_square)
         : grid_(grid),
           fields_(fields),
           contents_(contents),
           scratch_(scratch),
           axis_(axis),
+          smooth_square_(smooth_square),
           keep_lost_(!fields.lost_motion.empty()),
           stride_(grid.stride(axis)),
           side_a_(grid.stride((axis + 1) % 3)),
@@ -104,6 +105,7 @@ private:
     const BoxContents& contents_;
     RemapScratch& scratch_;
     int axis_;
+    double smooth_square_;
     bool keep_lost_;
     std::ptrdiff_t stride_, side_a_, side_b_;
 
@@ -139,17 +141,20 @@ private:
         const Lanes part = donor_mass > 0.0 ? min(abs(flux) / donor_mass, broadcast<Lanes>(1)) : Lanes{};
         const bool everywhere = BoxContents::pure(mask);
         store(edge_row(slot, mass_flux) + i, flux);
+        Line<Lanes> velocity[3];
         for (int axis = 0; axis < 3; ++axis) {
-            Line<Lanes> v = line(fields_.velocity[axis]);
-            if (!everywhere) {
-                const Lanes donor = upward ? v.below : v.above;
-                v.far_below = mass.far_below > 0.0 ? v.far_below : donor;
-                v.below = mass.below > 0.0 ? v.below : donor;
-                v.above = mass.above > 0.0 ? v.above : donor;
-                v.far_above = mass.far_above > 0.0 ? v.far_above : donor;
-            }
-            store(edge_row(slot, EdgeValue(axis)) + i, carried_value<second_order>(v, upward, part, weights));
+            Line<Lanes>& v = velocity[axis] = line(fields_.velocity[axis]);
+            if (everywhere) continue;
+            const Lanes donor = upward ? v.below : v.above;
+            v.far_below = mass.far_below > 0.0 ? v.far_below : donor;
+            v.below = mass.below > 0.0 ? v.below : donor;
+            v.above = mass.above > 0.0 ? v.above : donor;
+            v.far_above = mass.far_above > 0.0 ? v.far_above : donor;
         }
+        Lanes carried[3];
+        carried_velocities<second_order>(velocity, upward, part, weights, everywhere ? smooth_square_ : 0,
+                                         carried);
+        for (int axis = 0; axis < 3; ++axis) store(edge_row(slot, EdgeValue(axis)) + i, carried[axis]);
     }
 
     /// The edge beyond an end of a row: mass through the boundary, with the velocity of the outermost node.
@@ -194,9 +199,9 @@ private:
 
 template <bool second_order>
 void sweep_momentum(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents,
-                    RemapScratch& scratch, int axis)
+                    RemapScratch& scratch, int axis, double smooth_square)
 {
-    MomentumSweep<second_order> nodes(grid, fields, contents, scratch, axis);
+    MomentumSweep<second_order> nodes(grid, fields, contents, scratch, axis, smooth_square);
     if (axis == 0) {
         for_sheets(grid, grid.cells(2) + 1, [&](int k) {
             for (int j = 0; j <= grid.cells(1); ++j) nodes.along_row(grid.at(0, j, k));
@@ -218,12 +223,12 @@ void sweep_momentum(const BoxGrid& grid, FluidFields& fields, const BoxContents&
 } // namespace
 
 void sweep_momentum(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents,
-                    RemapScratch& scratch, int axis, AdvectionOrder order)
+                    RemapScratch& scratch, int axis, AdvectionOrder order, double smooth_square)
 {
     if (order == AdvectionOrder::van_leer)
-        sweep_momentum<true>(grid, fields, contents, scratch, axis);
+        sweep_momentum<true>(grid, fields, contents, scratch, axis, smooth_square);
     else
-        sweep_momentum<false>(grid, fields, contents, scratch, axis);
+        sweep_momentum<false>(grid, fields, contents, scratch, axis, smooth_square);
 }
 
 double return_lost_motion(const BoxGrid& grid, FluidFields& fields, const BoxContents& contents)

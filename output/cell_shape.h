@@ -44,7 +44,7 @@ inline Cell vertex_cell(Index node)
 Cell solid_cell(const std::array<Index, 8>& nodes);
 
 /// Ten-node tetrahedra have their nodes in VTK's order.
-inline Cell solid_cell(const std::array<Index, 10>& nodes)
+inline Cell tetrahedron_cell(const std::array<Index, 10>& nodes)
 {
     return {CellShape::quadratic_tetra, nodes, 10};
 }

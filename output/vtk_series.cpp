@@ -218,7 +218,7 @@ VtkSeries::VtkSeries(const Model& model, Schedule schedule, const ResultPath& di
     for (const auto& nodes : model.shells.nodes) cells_.push_back(shell_cell(nodes));
     for (Index solid = 0; solid < static_cast<Index>(model.solids.size()); ++solid) {
         const auto* ten = ten_nodes(model, solid);
-        cells_.push_back(ten ? solid_cell(*ten) : solid_cell(model.solids.nodes[solid]));
+        cells_.push_back(ten ? tetrahedron_cell(*ten) : solid_cell(model.solids.nodes[solid]));
     }
     for (const auto& nodes : model.thick_shells.nodes) cells_.push_back(solid_cell(nodes));
     for (Index node : model.particles.node) cells_.push_back(vertex_cell(node));

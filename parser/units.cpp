@@ -87,6 +87,7 @@ constexpr Row rows[] = {
     {"SECTION_DISCRETE", "V0", velocity},
     {"SECTION_DISCRETE", "CL FD", length},
     {"SECTION_SPH*", "CSLH HMIN HMAX", number},
+    {"PLASH_ALE_FORMULATION", "SMOOTH", number},
     {"PLASH_FLUID", "SIZE HEIGHT", length},
     {"SECTION_SPH*", "SPHINI", length},
     {"SECTION_SPH*", "DEATH START", duration},

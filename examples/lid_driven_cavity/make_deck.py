@@ -120,6 +120,9 @@ $ written by make_deck.py; the cavity lies in x and z
 *CONTROL_ALE
         -1         1         2        -1
 ,,,,,2
+*PLASH_ALE_FORMULATION
+$   smooth: slopes of the velocity are not limited where its jumps are below this share of the speed of sound
+{args.smooth:10.4g}
 *ALE_STRUCTURED_MESH
 1,10,1,1
 1,2,3
@@ -184,6 +187,7 @@ def main():
     parser.add_argument("--reynolds", type=float, default=100)
     parser.add_argument("--side", type=int, default=32, help="particles or cells along a side; even")
     parser.add_argument("--turns", type=float, default=12)
+    parser.add_argument("--smooth", type=float, default=0.2, help="ale: docs/eulerian.md; 0: plain van Leer")
     parser.add_argument("--all", action="store_true", help="ale: write the velocities of all nodes at the end")
     parser.add_argument("--start", nargs=2, metavar=("SIDE", "DIRECTORY"),
                         help="ale: begin with the end of a run of SIDE x SIDE cells made with --all")
