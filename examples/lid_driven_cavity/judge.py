@@ -56,6 +56,23 @@ def of_particles(rows, places, side, axis):
     return value
 
 
+def vortices(rows, side):
+    """Centres of all vortices of the Eulerian mesh: (x, z, stream function), where that has an extremum."""
+    at = lambda i, k: rows[1 + i + (side + 1) * 2 * k][-1]  # noqa: E731
+    stream = [[0.0] * (side + 1) for _ in range(side + 1)]
+    for i in range(side + 1):
+        for k in range(1, side + 1):
+            stream[i][k] = stream[i][k - 1] + 0.5 * (at(i, k - 1)[4] + at(i, k)[4]) / side
+    found = []
+    for i in range(1, side):
+        for k in range(1, side):
+            around = [stream[a][b] for a in range(i - 1, i + 2) for b in range(k - 1, k + 2) if (a, b) != (i, k)]
+            here = stream[i][k]
+            if abs(here) > 1e-7 and (here > max(around) or here < min(around)):
+                found.append((i / side, k / side, here))
+    return sorted(found, key=lambda vortex: -abs(vortex[2]))
+
+
 def main():
     deck, folder = sys.argv[1:3]
     title, places, keyword = "", {}, ""
@@ -81,6 +98,9 @@ def main():
         worst = max(range(len(errors)), key=lambda i: errors[i])
         print(f"  {axis} on the {name} centre line: largest error {100 * errors[worst]:.2f} % of the lid's speed (at "
               f"{wanted[worst][0]:.4f}), mean {100 * sum(errors) / len(errors):.2f} %")
+    if not places and len(rows) == 2 * (side + 1) ** 2:
+        print("  vortices (x, z, stream function): "
+              + "; ".join(f"{x:.4f} {z:.4f} {value:.3g}" for x, z, value in vortices(rows, side)))
 
 
 main()
