@@ -468,6 +468,7 @@ void FacingSegments::find_chunk(const ContactMotion& motion, double step, std::s
             FacingCandidate& one = chunk.due.emplace_back();
             one.pair = static_cast<Index>(i);
             one.old = pair.touch;
+            if (one.old != none) one.old_normal = before_[one.old].normal;
             one.alone = old_touches_of(pair.first).empty() && old_touches_of(pair.second).empty();
         }
         pair.touch = none;

@@ -120,7 +120,20 @@ void FacingTest::test(std::vector<FacingPair>& pairs, std::span<const FacingCand
 void FacingTest::test_batch(std::vector<FacingPair>& pairs, std::span<const FacingCandidate> batch,
                             std::vector<FacingCandidate>& left) const
 {
-    enum Row { gap_row = 24, depth_row, first_standing, second_standing, both_sided, has_old, alone, rows };
+    enum Row {
+        gap_row = 24,
+        depth_row,
+        first_standing,
+        second_standing,
+        first_sided,
+        second_sided,
+        has_old,
+        old_x,
+        old_y,
+        old_z,
+        alone,
+        rows
+    };
     alignas(sizeof(Lanes)) double place[rows][lane_count];
     for (int lane = 0; lane < lane_count; ++lane) {
         const FacingCandidate& one = batch[std::min<std::size_t>(lane, batch.size() - 1)];
@@ -139,9 +152,13 @@ void FacingTest::test_batch(std::vector<FacingPair>& pairs, std::span<const Faci
         place[depth_row][lane] = std::max(a.depth, b.depth);
         place[first_standing][lane] = standing_[pair.first];
         place[second_standing][lane] = standing_[pair.second];
-        place[both_sided][lane] = a.one_sided && b.one_sided;
+        place[first_sided][lane] = a.one_sided;
+        place[second_sided][lane] = b.one_sided;
         place[has_old][lane] = one.old != none;
-        place[alone][lane] = one.alone && !a.one_sided && !b.one_sided;
+        place[old_x][lane] = one.old_normal.x;
+        place[old_y][lane] = one.old_normal.y;
+        place[old_z][lane] = one.old_normal.z;
+        place[alone][lane] = one.alone;
     }
     const auto row = [&](int number) { return load<Lanes>(place[number]); };
     const auto corners = [&](int first) {
@@ -161,25 +178,34 @@ void FacingTest::test_batch(std::vector<FacingPair>& pairs, std::span<const Faci
     const Lanes warped = max(abs(warp.low - origin), abs(warp.high - origin));
     const Lanes off_by = max(max(off.low - origin, origin - off.high), zero) - warped - reach;
 
+    const LaneMask a_sided = row(first_sided) > zero, b_sided = row(second_sided) > zero;
+    const LaneMask both_sided = a_sided & b_sided, shells = ~(a_sided | b_sided), old = row(has_old) > zero;
     const Lanes along = dot(a.normal, b.normal), turn = max(a.turn, b.turn);
     const Lanes cosine = abs(along);
     // Two facets turn towards one another with twice the speed of one.
-    const Lanes away =
-        max(row(both_sided) > zero ? along : -half, row(has_old) > zero ? -half : half - cosine);
+    const Lanes away = max(both_sided ? along : -half, old ? -half : half - cosine);
     const Lanes face_by = away / (2 * turn);
-    const LaneMask turned_away =
-        ((row(both_sided) > zero) & (along > zero)) | ((row(has_old) == zero) & (cosine <= half));
+    const LaneMask turned_away = (both_sided & (along > zero)) | (~old & (cosine <= half));
 
     const Lanes own = row(first_standing);
     const LaneVec normal =
         scaled_to_unit(row(second_standing) * b.normal + (along < zero ? -own : own) * a.normal);
-    const Lanes over_by = clearance(at_a, at_b, normal, gap, reach);
+    // A solid's facet is touched from its outside; which side of a shell it is does not follow from where the
+    // two are now.
+    const LaneMask from_below = a_sided & (dot(normal, a.normal) > zero);
+    const Lanes over_by =
+        clearance(at_a, at_b, normal, shells | from_below ? reach : gap, shells | ~from_below ? reach : gap);
     const Lanes aside = clearance_beside(at_a, at_b, normal);
     // The mean of normals that meet at 60 degrees at most turns by 1 / cos 30 of their turn.
     const Lanes aside_by = aside / (1 + 1.1548 * turn * reach);
-    // Shells that nothing around has met stay on the side on which they are.
-    const Lanes range = broadcast<Lanes>(motion_.step_range);
-    const LaneMask side_kept = (row(alone) > zero) & (clearance(at_a, at_b, normal, gap, gap + range) > zero);
+    // A touch between shells stays on its side, and shells that nothing around has met on that on which they
+    // were a step ago. This may change with what the neighbours meet: such a pair stays due.
+    const Lanes range = broadcast<Lanes>(motion_.step_range), through = max(gap, range);
+    const LaneMask old_below = dot(normal, LaneVec{row(old_x), row(old_y), row(old_z)}) < zero;
+    const Lanes above = old ? (old_below ? reach : gap) : through;
+    const Lanes below = old ? (old_below ? gap : reach) : through;
+    const LaneMask side_known = shells & (old | (row(alone) > zero));
+    const LaneMask side_kept = side_known & (clearance(at_a, at_b, normal, above, below) > zero);
     const LaneMask beside = (over_by > zero) | (aside > zero);
 
     // What follows from directions holds while they are nearly those of now.

@@ -28,6 +28,7 @@ struct FacingCandidate {
     Index pair = none;
     bool alone = false; ///< neither facet touched anything in the last cycle
     Index old = none;   ///< its place among the touches of the last cycle
+    Vec3 old_normal{};  ///< of that touch: the side on which it is kept
     Vec3 normal{};      ///< along which to project, on the side of the second facet's normal
     Vec3 first_normal{}, second_normal{};
     double along = 0; ///< cosine between the facets' normals
@@ -42,7 +43,9 @@ struct FacingCandidate {
 ///   normal of a facet with diagonals d1, d2 turns by at most (|d1| + |d2|) p / |d1 x d2|, to first order,
 ///   and by no more than twice as much while that stays below a quarter;
 /// - while their shadows along the mean of the normals are apart, or all of one lies too far over the other.
-///   Points that touch lie over one another along a normal that turns with the facets.
+///   Points that touch lie over one another along a normal that turns with the facets. Between shells
+///   `too far` is the same on both sides, as either may be the one that is kept, and only `gap` outward once
+///   the side is known: from the pair's own touch, or because nothing around has met.
 class FacingTest {
 public:
     /// standing  by facet: weight of its normal in the mean, which is the direction of projection
@@ -50,7 +53,7 @@ public:
         : mesh_(mesh), motion_(motion), standing_(standing)
     {}
 
-    /// Adds to `left` what of `due` (where pair, alone and old are given) has to be looked at.
+    /// Adds to `left` what of `due` (where pair, alone, old and old_normal are given) has to be looked at.
     void test(std::vector<FacingPair>& pairs, std::span<const FacingCandidate> due,
               std::vector<FacingCandidate>& left) const;
 
