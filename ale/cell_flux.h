@@ -35,11 +35,23 @@ inline Lane carried_value(const Line<Lane>& line, Mask upward, Lane part, const 
     return mean_of_outflow(donor, limited_difference(before, after, central), part);
 }
 
+/// Nodes without mass repeat the donor: what they hold is no velocity.
+template <class Lane, class Mask>
+inline void repeat_donor(Line<Lane>& velocity, const Line<Lane>& mass, Mask upward)
+{
+    const Lane donor = upward ? velocity.below : velocity.above;
+    velocity.far_below = mass.far_below > 0.0 ? velocity.far_below : donor;
+    velocity.below = mass.below > 0.0 ? velocity.below : donor;
+    velocity.above = mass.above > 0.0 ? velocity.above : donor;
+    velocity.far_above = mass.far_above > 0.0 ? velocity.far_above : donor;
+}
+
 /// Velocities that the flow carries along an edge between two nodes, by axis. The limiter of van Leer takes
 /// what lies in a layer of two or three nodes for a jump and flattens it: a viscous one most of all. Where
 /// the differences d to both sides of the donor are small against a speed e, as those of no shock are, the
 /// slope is the central one (Fromm 1968, J. Comput. Phys. 3, 176-189) by the share e^2 / (e^2 + d^2), and
-/// limited by the rest. smooth_square  e^2 [velocity^2]; 0: limited everywhere
+/// limited by the rest.
+/// smooth_square  e^2 [velocity^2]; 0: limited everywhere
 template <bool second_order, class Lane, class Mask>
 inline void carried_velocities(const Line<Lane> (&line)[3], Mask upward, Lane part,
                                const LineWeights<Lane>& weights, double smooth_square, Lane (&carried)[3])

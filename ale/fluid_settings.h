@@ -5,7 +5,7 @@
 
 namespace plash {
 
-/// *CONTROL_ALE and *PLASH_ALE_FORMULATION as far as Plash honours it.
+/// *CONTROL_ALE and *PLASH_ALE_FORMULATION as far as Plash honours them.
 struct FluidSettings {
     AdvectionOrder order = AdvectionOrder::van_leer; ///< METH = 2, -2, 3; 1: donor cell
     bool conserve_total_energy = false;              ///< METH = 3

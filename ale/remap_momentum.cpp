@@ -143,13 +143,8 @@ private:
         store(edge_row(slot, mass_flux) + i, flux);
         Line<Lanes> velocity[3];
         for (int axis = 0; axis < 3; ++axis) {
-            Line<Lanes>& v = velocity[axis] = line(fields_.velocity[axis]);
-            if (everywhere) continue;
-            const Lanes donor = upward ? v.below : v.above;
-            v.far_below = mass.far_below > 0.0 ? v.far_below : donor;
-            v.below = mass.below > 0.0 ? v.below : donor;
-            v.above = mass.above > 0.0 ? v.above : donor;
-            v.far_above = mass.far_above > 0.0 ? v.far_above : donor;
+            velocity[axis] = line(fields_.velocity[axis]);
+            if (!everywhere) repeat_donor(velocity[axis], mass, upward);
         }
         Lanes carried[3];
         carried_velocities<second_order>(velocity, upward, part, weights, everywhere ? smooth_square_ : 0,

@@ -36,13 +36,8 @@ void HexFluid::find_edge_fluxes(const HexSweep& sweep, int direction)
             if (!everywhere) mass = line_of(fields.node_mass.data(), at);
             Line<Lanes> velocity[3];
             for (int axis = 0; axis < 3; ++axis) {
-                Line<Lanes>& line = velocity[axis] = line_of(v[axis].data(), at);
-                if (everywhere) continue; // nodes without mass repeat the donor
-                const Lanes donor = upward ? line.below : line.above;
-                line.far_below = mass.far_below > 0.0 ? line.far_below : donor;
-                line.below = mass.below > 0.0 ? line.below : donor;
-                line.above = mass.above > 0.0 ? line.above : donor;
-                line.far_above = mass.far_above > 0.0 ? line.far_above : donor;
+                velocity[axis] = line_of(v[axis].data(), at);
+                if (!everywhere) repeat_donor(velocity[axis], mass, upward);
             }
             Lanes carried[3];
             carried_velocities<second_order>(velocity, upward, part, weights, everywhere ? smooth_square : 0,

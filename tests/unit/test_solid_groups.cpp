@@ -264,9 +264,9 @@ TEST(SolidGroups, RefuseWhatIsNotThereByName)
 {
     {
         SolidBlock block({1, 1, 1}, {1, 1, 1}, record_of("MAT_CONCRETE_DAMAGE_REL3", 5, {{"RO", 1}}));
-        EXPECT_NE(
-            refusal(block.model).find("*MAT_CONCRETE_DAMAGE_REL3 5 is not supported for the solids of part 1"),
-            std::string::npos);
+        EXPECT_NE(refusal(block.model)
+                      .find("*MAT_CONCRETE_DAMAGE_REL3 5 is not supported for the solids of part 1"),
+                  std::string::npos);
     }
     {
         SolidBlock block({1, 1, 1}, {1, 1, 1}, steel());

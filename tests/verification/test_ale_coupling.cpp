@@ -157,6 +157,7 @@ TEST(AleCoupling, FlatWedgesEnterWithTheForceOfTheSimilaritySolution)
     const Threads one(1);
     EXPECT_NEAR(wedge_force_slope(10, 40, 300) / 213.001, 1, 0.03);
     EXPECT_NEAR(wedge_force_slope(20, 40, 300) / 42.280, 1, 0.03);
+    EXPECT_NEAR(wedge_force_slope(30, 40, 60) / 14.023, 1, 0.03);
 }
 
 // Open: measured 1.030 on 20 cells, 1.036 on 40, with DIREC = 2 1.038, with 300 times as the speed of
