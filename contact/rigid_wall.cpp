@@ -21,10 +21,14 @@ RigidWallTerm::RigidWallTerm(const RigidWall& wall, const Model& model, const St
     std::vector<bool> candidate(state.size(), wall.all_nodes);
     for (Index node : wall.nodes) candidate[node] = true;
     for (Index node : wall.excluded) candidate[node] = false;
+    std::vector<bool> weighty(state.size()); // has mass, or will have when it comes out of a solid
+    for (std::size_t node = 0; node < state.size(); ++node) weighty[node] = state.mass[node] > 0;
+    if (!model.stand_ins.empty())
+        for (Index node : model.particles.node) weighty[node] = true;
     for (std::size_t node = 0; node < state.size(); ++node) {
         const double gap = dot(model.nodes.position[node] - wall.tail, wall.normal);
         if (wall.offset > 0 && gap > wall.offset) continue;
-        if (!candidate[node] || state.mass[node] == 0) continue;
+        if (!candidate[node] || !weighty[node]) continue;
         nodes_.push_back(static_cast<Index>(node));
         mass_.push_back(state.mass[node]);
     }
@@ -36,10 +40,16 @@ void RigidWallTerm::start(const Clock& clock, const State& state)
 {
     started_ = true;
     spring_rate_ = spring_share / (clock.step * clock.step);
-    const bool rigid = std::any_of(nodes_.begin(), nodes_.end(), [&](Index n) { return state.mass[n] == 0; });
+    const auto of_body = [&](std::size_t i) { return state.mass[nodes_[i]] == 0 && mass_[i] > 0; };
+    bool rigid = false;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) rigid = rigid || of_body(i);
     if (!rigid) return;
     pushed_.resize(nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        if (!of_body(i)) {
+            pushed_[i].baseline = -forever; // never, should its mass go some day
+            continue;
+        }
         const WallMeeting met = meet(wall_, state.position[nodes_[i]], state.position[nodes_[i]]);
         if (met.inside) pushed_[i].baseline = met.now;
     }

@@ -54,6 +54,7 @@ SurfaceContact::SurfaceContact(const Contact& contact, const Model& model, const
       sum_now_(mesh_.nodes.size()),
       sum_before_(mesh_.nodes.size())
 {
+    if (!model.stand_ins.empty()) hold_back_waiting();
     if (contact.tie.method != Tie::Method::none) tie(parts);
     if (presses_by_segments(contact)) make_facing();
     rigid_.resize(model.parts.size());
@@ -157,12 +158,39 @@ void SurfaceContact::pull_ties(const Clock& clock, State& state)
     search_.forget();
 }
 
+/// Particles that wait in solids touch nothing.
+void SurfaceContact::hold_back_waiting()
+{
+    std::vector<bool> waits(model_.nodes.size());
+    for (Index particle = model_.stand_ins.front().first;
+         particle < static_cast<Index>(model_.particles.size()); ++particle)
+        waits[model_.particles.node[particle]] = true;
+    for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
+        if (!waits[mesh_.nodes[i].node]) continue;
+        waiting_.emplace_back(static_cast<Index>(i), std::exchange(mesh_.nodes[i].acts_on, std::uint8_t{0}));
+    }
+}
+
+/// Those that have got a mass touch like all others; nodes that have given theirs away touch nothing.
+void SurfaceContact::wake_particles(const State& state)
+{
+    for (const auto& [number, acts_on] : waiting_) {
+        mass_[number] = state.mass[mesh_.nodes[number].node];
+        if (mass_[number] > 0) mesh_.nodes[number].acts_on = acts_on;
+    }
+    for (std::size_t i = 0; i < weighty_.size(); ++i) {
+        if (weighty_[i] && state.mass[mesh_.nodes[i].node] == 0) mesh_.nodes[i].acts_on = 0;
+    }
+}
+
 /// Nodes of rigid bodies have no mass in the State: there the mass of their elements serves.
 void SurfaceContact::take_masses(const State& state)
 {
     mass_.resize(mesh_.nodes.size());
+    if (!model_.stand_ins.empty()) weighty_.resize(mesh_.nodes.size());
     for (std::size_t i = 0; i < mass_.size(); ++i) {
         const Index node = mesh_.nodes[i].node;
+        if (!weighty_.empty()) weighty_[i] = state.mass[node] > 0;
         mass_[i] = state.mass[node] > 0 ? state.mass[node] : lumped_[node];
         if (mass_[i] == 0) mesh_.nodes[i].acts_on = 0;
         const Index part = mesh_.nodes[i].part;
@@ -179,6 +207,7 @@ void SurfaceContact::follow_erosion(const State& state)
     if (!known && facing_) facing_->forget();
     restarted_ = false;
     deletions_seen_ = state.deletions;
+    if (!model_.stand_ins.empty()) wake_particles(state);
     mesh_.update_exposed(state);
 }
 
@@ -492,7 +521,7 @@ std::vector<std::string> SurfaceContact::notices(const State& state) const
 void SurfaceContact::serialise(Archive& archive)
 {
     if (facing_) facing_->serialise(archive);
-    archive(mass_, motion_.travelled, sum_now_, deletions_seen_, soft_step_, energy_, stuck_);
+    archive(mass_, weighty_, motion_.travelled, sum_now_, deletions_seen_, soft_step_, energy_, stuck_);
     search_.serialise(archive);
     if (archive.loading() && ties_ && !number_.empty())
         for (Index node : ties_->held_nodes())

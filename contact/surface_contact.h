@@ -84,6 +84,9 @@ private:
     std::vector<RigidPart> rigid_; ///< by part of the Model
     std::optional<TiedSprings> ties_;
     std::vector<Index> number_; ///< of the mesh by State index; empty unless ties hold nodes back
+    std::vector<std::pair<Index, std::uint8_t>>
+        waiting_; ///< mesh nodes of particles that wait in solids, and what they will act on
+    std::vector<std::uint8_t> weighty_; ///< by mesh node: had mass in the State; empty where none can lose it
     std::vector<std::uint8_t> acts_on_again_; ///< by mesh node: what a held node will act on
     bool sticks_ = false;                     ///< TIEBREAK OPTION 1, 3: nodes stick where they touch
     std::vector<std::uint8_t> stuck_;         ///< by mesh node: has stuck once; empty unless nodes stick
@@ -105,6 +108,8 @@ private:
     void stick(const State& state);
     void add_rigid_votes();
     void take_masses(const State& state);
+    void hold_back_waiting();
+    void wake_particles(const State& state);
     void follow_erosion(const State& state);
     void find_touches();
     double apply_law(Touch& touch) const;

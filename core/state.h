@@ -1,12 +1,23 @@
 #pragma once
 
 #include "core/archive.h"
+#include "math/symmetric_tensor.h"
 #include "math/vector3.h"
 #include "model/record.h"
 
+#include <utility>
 #include <vector>
 
 namespace plash {
+
+/// What a solid held when it was deleted. Its mass stays with its nodes unless somebody takes it from there.
+struct LostSolid {
+    Index solid = none;                           ///< of the Model
+    std::vector<std::pair<Index, double>> masses; ///< of its nodes, without mass scaling [mass]
+    SymmetricTensor<double> stress{};             ///< mean, global axes [stress]
+    double internal = 0;                          ///< internal energy, without that of hourglassing [energy]
+    std::vector<double> history;                  ///< variables of its law, mean of its points
+};
 
 /// Nodal arrays, one entry a node in the Model's order. Central difference in LS-DYNA's staggering: positions
 /// and forces at step n, velocities at n - 1/2 until the loop advances them to n + 1/2.
@@ -26,6 +37,9 @@ struct State {
     /// `deleted_solids` are bricks: the solids and then, once one of them erodes, the thick shells.
     std::vector<std::uint8_t> deleted_shells, deleted_solids, deleted_beams;
     long deletions = 0;
+    /// Solids that went in this cycle; only while somebody keeps them, who empties the list in `add_forces`.
+    std::vector<LostSolid> lost_solids;
+    bool keeps_lost_solids = false;
 
     std::size_t size() const { return position.size(); }
     bool rotational() const { return !angular_velocity.empty(); }

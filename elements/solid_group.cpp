@@ -169,6 +169,7 @@ void SolidGroup::finish_start(std::vector<double> first_step, State& state)
 
 void SolidGroup::take_initial_stresses(const StressPlaces& places)
 {
+    stress_places_ = places;
     if (!setup_.initial_stresses || setup_.initial_stresses->empty()) return;
     for_each_element([&](const Patches::Patch&, std::size_t place) {
         const auto found = setup_.initial_stresses->find(static_cast<Index>(element_of(place)));
@@ -303,6 +304,7 @@ void SolidGroup::erase(std::size_t place, State& state)
     state.deleted_solids.resize(brick_count(model));
     state.deleted_solids[element_of(place) + (setup_.thick_shells ? model.solids.size() : 0)] = 1;
     ++state.deletions;
+    if (state.keeps_lost_solids && !setup_.thick_shells) state.lost_solids.push_back(lost_solid(place));
     if (alive_.empty()) alive_.assign(patches_.batch_count(), broadcast<Lanes>(1));
     const auto batch = static_cast<Index>(place / lane_count);
     const int lane = static_cast<int>(place % lane_count);
@@ -313,6 +315,30 @@ void SolidGroup::erase(std::size_t place, State& state)
     hourglass_ -= history[hourglass_energy_history][lane];
     alive_[batch][lane] = 0;
     for (int i = 0; i < history_size_; ++i) history[i][lane] = 0;
+}
+
+LostSolid SolidGroup::lost_solid(std::size_t place) const
+{
+    LostSolid lost;
+    lost.solid = static_cast<Index>(element_of(place));
+    const Corners corners = distinct_corners(patch_of(place), place);
+    for (int i = 0; i < corners.count; ++i)
+        lost.masses.emplace_back(corners.node[i], corners.share[i] * constant_of(place, mass_constant));
+    const Lanes* history = history_of(static_cast<Index>(place / lane_count));
+    const int lane = static_cast<int>(place % lane_count);
+    lost.stress = {history[0][lane], history[1][lane], history[2][lane],
+                   history[3][lane], history[4][lane], history[5][lane]};
+    lost.internal = history[internal_energy_history][lane];
+    const int points = stress_places_.points;
+    const int first = points == 1 ? point_history : stress_places_.first + 6;
+    const int size = points == 1 ? history_size_ - point_history : stress_places_.size - 6;
+    for (int variable = 0; variable < size; ++variable) {
+        double sum = 0;
+        for (int point = 0; point < points; ++point)
+            sum += history[first + point * stress_places_.size + variable][lane];
+        lost.history.push_back(sum / points);
+    }
+    return lost;
 }
 
 void SolidGroup::close_cycle(State& state)

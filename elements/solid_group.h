@@ -169,10 +169,11 @@ private:
     int history_size_, constant_count_;
     int plastic_strain_;                  ///< which history variable, or -1
     std::optional<SolidErosion> erosion_; ///< *MAT_ADD_EROSION
-    double time_ = 0, last_step_ = 0;     ///< of the cycle [time]
-    LaneArray history_;                   ///< batch x variable
-    LaneArray constants_;                 ///< batch x constant
-    std::vector<double> first_step_;      ///< batch x lane, at the start
+    StressPlaces stress_places_;
+    double time_ = 0, last_step_ = 0; ///< of the cycle [time]
+    LaneArray history_;               ///< batch x variable
+    LaneArray constants_;             ///< batch x constant
+    std::vector<double> first_step_;  ///< batch x lane, at the start
     LaneArray step_factor_; ///< by batch: what loose elements lose and mass scaling gains; empty without
     LaneArray step_limit_;  ///< by batch: longest step of loose elements [time]; empty without
     LaneArray alive_;       ///< by batch: 1, or 0 when deleted; empty while none is
@@ -192,6 +193,7 @@ private:
     void hold_back_loose_elements(const State&);
     void silence(Index batch, const LaneMask& dead, const LaneMask& silent, SolidVote<Lanes>&);
     void erase(std::size_t place, State&);
+    LostSolid lost_solid(std::size_t place) const;
     std::string describe(std::size_t place, const std::vector<Vec3>& position) const;
 };
 

@@ -7,6 +7,7 @@
 #include "model/mesh.h"
 #include "model/record.h"
 #include "model/rigid.h"
+#include "model/stand_ins.h"
 
 #include <map>
 #include <stdexcept>
@@ -69,6 +70,7 @@ struct Model {
     DiscreteElements discretes;
     NodalMasses masses;
     ParticleElements particles;
+    std::vector<StandIns> stand_ins; ///< which of the particles wait in solids
 
     std::vector<Part> parts;
     std::vector<Record> sections;

@@ -5,10 +5,11 @@ namespace {
 
 /// Every family of keywords that has a translation of its own.
 constexpr std::span<const Translator> (*families[])() = {
-    node_keywords,    solid_keywords,   shell_keywords,    element_keywords,     property_keywords,
-    part_keywords,    curve_keywords,   geometry_keywords, set_keywords,         boundary_keywords,
-    load_keywords,    initial_keywords, damping_keywords,  termination_keywords, rigid_wall_keywords,
-    contact_keywords, control_keywords, database_keywords, constrained_keywords, ale_keywords,
+    node_keywords,     solid_keywords,   shell_keywords,    element_keywords,     property_keywords,
+    part_keywords,     curve_keywords,   geometry_keywords, set_keywords,         boundary_keywords,
+    load_keywords,     initial_keywords, damping_keywords,  termination_keywords, rigid_wall_keywords,
+    contact_keywords,  control_keywords, database_keywords, constrained_keywords, ale_keywords,
+    adaptive_keywords,
 };
 
 bool matches(std::string_view pattern, std::string_view keyword)

@@ -46,6 +46,12 @@ struct PendingBody {
     bool held, has_inertia;
 };
 
+/// *DEFINE_ADAPTIVE_SOLID_TO_SPH, until part sets are known.
+struct PendingStandIns {
+    Record record;
+    const Block* block;
+};
+
 /// *CONTROL_CONTACT, until all contacts are read.
 struct ContactDefaults {
     double penalty_scale = 0.1;
@@ -78,6 +84,7 @@ struct Reading {
     std::map<Id, std::vector<CurveUse>>
         curve_uses; ///< by the number of a curve or table; filled when there are such
     std::vector<PendingSet> pending_sets;
+    std::vector<PendingStandIns> pending_stand_ins;
     std::vector<Record> node_transforms; ///< *NODE_TRANSFORM, until the sets are known
     std::vector<PendingBody> pending_bodies;
     std::vector<Index> parts_without_section, parts_without_material; ///< SECID, MID left at zero
@@ -165,6 +172,7 @@ std::span<const Translator> control_keywords();
 std::span<const Translator> constrained_keywords();
 std::span<const Translator> database_keywords();
 std::span<const Translator> ale_keywords();
+std::span<const Translator> adaptive_keywords();
 
 /// Moves the nodes of includes as their transformations say.
 void move_included_nodes(Reading& reading);
@@ -174,6 +182,8 @@ void move_node_sets(Reading& reading);
 /// What needs the whole deck: curves of tables, members of sets, *LOAD_BODY_PARTS, *CONTROL_CONTACT.
 void finish_tables(Reading& reading);
 void finish_sets(Reading& reading);
+/// Puts the particles of *DEFINE_ADAPTIVE_SOLID_TO_SPH into the Model; wants the part sets.
+void make_stand_ins(Reading& reading);
 void finish_loads(Reading& reading);
 void finish_nodal_rigid_bodies(Reading& reading);
 void finish_contacts(Reading& reading);

@@ -126,7 +126,11 @@ Scene make_scene(const Model& model)
     state.force.resize(state.size());
     state.mass.resize(state.size());
     for (auto& group : make_shell_groups(model, state)) scene.terms.push_back(std::move(group));
-    for (auto& group : make_solid_groups(model, state)) scene.terms.push_back(std::move(group));
+    std::vector<const Term*> solids;
+    for (auto& group : make_solid_groups(model, state)) {
+        solids.push_back(group.get());
+        scene.terms.push_back(std::move(group));
+    }
     for (auto& group : make_stiffness_damping(model, state)) scene.terms.push_back(std::move(group));
     for (auto& group : make_thick_shell_groups(model, state)) scene.terms.push_back(std::move(group));
     std::vector<const Term*> elements; // that know plastic strains
@@ -134,7 +138,10 @@ Scene make_scene(const Model& model)
     for (auto& group : make_beam_groups(model, state)) scene.terms.push_back(std::move(group));
     for (auto& group : make_cohesive_solids(model, state)) scene.terms.push_back(std::move(group));
     if (auto springs = make_springs(model, state)) scene.terms.push_back(std::move(springs));
-    for (auto& body : make_particle_bodies(model, state)) scene.terms.push_back(std::move(body));
+    for (auto& body : make_particle_bodies(model, state)) {
+        body->watch_solids(solids);
+        scene.terms.push_back(std::move(body));
+    }
     for (auto& coupling : make_particle_couplings(model, state)) scene.terms.push_back(std::move(coupling));
     add_eulerian_fluids(scene);
     for (auto& contact : make_contacts(model)) scene.terms.push_back(std::move(contact));

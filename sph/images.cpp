@@ -177,6 +177,7 @@ void Images::settle(std::span<const Index> order, ParticleArrays& arrays)
         const Image& image = images_[order[p] - real_count];
         sorted.push_back({place[image.source], image.transform});
         arrays.part[p] = arrays.part[sorted.back().source];
+        if (!arrays.bonded.empty()) arrays.bonded[p] = arrays.bonded[sorted.back().source];
         const bool shifted = same(transforms_[image.transform].turn, Matrix3::identity());
         arrays.image[p] = shifted ? periodic_image : mirror_image;
     }

@@ -31,6 +31,7 @@ struct ParticleArrays {
     std::vector<std::uint8_t> part;     ///< part of the body, not of the Model
     std::vector<std::uint8_t> image;    ///< an ImageKind; 0: none
     std::vector<double> laminar;        ///< viscosity along differences of velocity, scaled; empty without
+    std::vector<std::uint8_t> bonded;   ///< 1: waits in a solid, as a neighbour of others; empty without
     std::vector<float> skin;            ///< what it may move before the next search, twice [length]
     std::vector<TensionRecord> tension; ///< only of bodies whose push is a tensor
 
@@ -73,7 +74,7 @@ struct ParticleArrays {
 
     void serialise(Archive& archive)
     {
-        archive(motion, push, particle, node, part, image, asleep, own_mass, density, rate, diffusion,
+        archive(motion, push, particle, node, part, image, bonded, asleep, own_mass, density, rate, diffusion,
                 pressure, energy, viscous_force, heat, laminar, rest_pressure, rest_velocity, drift, tension,
                 gradient, correction, stress, history, skin, build_origin, build_rounding, build_position,
                 build_smoothing);

@@ -56,8 +56,18 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
         viscous = viscous || part.constants.laminar_viscosity > 0;
         tensor_ = tensor_ || part.law->has_strength();
         arrays_.history_size = std::max(arrays_.history_size, part.law->history_size());
-        for (std::size_t i = 0; i < part.nodes.size(); ++i) state.mass[part.nodes[i]] += part.mass[i];
-        real_count_ += part.nodes.size();
+    }
+    hosts_ = SolidHosts(model_, state);
+    for (const ParticlePart& part : parts_) {
+        for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+            const bool waits = hosts_.waits(part.nodes[i]);
+            if (!waits) state.mass[part.nodes[i]] += part.mass[i];
+            if (!waits || hosts_.bond_of(part.nodes[i]) != StandIns::Bond::none) ++real_count_;
+        }
+    }
+    if (hosts_.any()) {
+        handed_internal_.resize(model_.parts.size());
+        lost_kinetic_.resize(model_.parts.size());
     }
     inflows_ = Inflows(options_.inflows, model_, state);
     create(state);
@@ -92,54 +102,97 @@ void ParticleBody::create(const State& state)
         const ParticlePart& part = parts_[number];
         for (std::size_t i = 0; i < part.nodes.size(); ++i) {
             const Index node = part.nodes[i];
-            a.particle.push_back(static_cast<Index>(a.motion.size()));
-            a.motion.push_back({state.position[node],
-                                part.constants.smoothing * part.constants.size_of(part.mass[i]),
-                                state.velocity[node], part.mass[i]});
-            a.node.push_back(node);
-            a.part.push_back(static_cast<std::uint8_t>(number));
-            if (options_.volume_weighted) a.own_mass.push_back(part.mass[i]);
-            a.density.push_back(part.constants.density * part.law->initial_compression());
-            a.energy.push_back(part.law->initial_energy());
-            if (a.history_size == 0) continue;
-            a.history.resize(a.history.size() + a.history_size);
-            part.law->start_history(&*a.history.end() - a.history_size);
+            const bool waits = hosts_.waits(node), bonded = hosts_.bond_of(node) != StandIns::Bond::none;
+            if (!waits || bonded) append(number, node, part.mass[i], state);
         }
     }
-    for (ParticlePart& part : parts_) release(part.mass); // from here on they stand in the arrays
-    if (tensor_) {
-        a.tension.resize(real_count_);
-        a.gradient.resize(real_count_);
-        a.correction.assign(real_count_, {1, 1, 1, 0, 0, 0});
-        a.stress.resize(real_count_);
+    // From here on they stand in the arrays; those that wait take theirs from their solids.
+    for (ParticlePart& part : parts_) release(part.mass);
+    fill_up();
+    const bool bonds = std::any_of(model_.stand_ins.begin(), model_.stand_ins.end(),
+                                   [](const StandIns& some) { return some.bond != StandIns::Bond::none; });
+    if (!bonds) return;
+    arrays_.bonded.resize(real_count_);
+    for (std::size_t p = 0; p < real_count_; ++p) {
+        arrays_.bonded[p] = hosts_.waits(arrays_.node[p]);
+        if (arrays_.bonded[p]) arrays_.energy[p] = 0; // that of its solid counts there
     }
-    a.image.resize(real_count_);
-    a.asleep.resize(real_count_);
-    a.push.resize(real_count_);
-    a.rate.resize(real_count_);
-    a.pressure.resize(real_count_);
-    a.viscous_force.resize(real_count_);
-    a.heat.resize(real_count_);
-    a.skin.resize(real_count_);
+}
+
+/// One more particle behind all others; `fill_up` gives it the rest.
+void ParticleBody::append(std::size_t number, Index node, double mass, const State& state)
+{
+    ParticleArrays& a = arrays_;
+    const ParticlePart& part = parts_[number];
+    a.particle.push_back(static_cast<Index>(a.node.size()));
+    a.motion.push_back({state.position[node], part.constants.smoothing * part.constants.size_of(mass),
+                        state.velocity[node], mass});
+    a.node.push_back(node);
+    a.part.push_back(static_cast<std::uint8_t>(number));
+    if (options_.volume_weighted) a.own_mass.push_back(mass);
+    a.density.push_back(part.constants.density * part.law->initial_compression());
+    a.energy.push_back(part.law->initial_energy());
+    if (a.history_size == 0) return;
+    a.history.resize(a.history.size() + a.history_size);
+    part.law->start_history(&*a.history.end() - a.history_size);
+}
+
+/// Gives the arrays that start at zero as many entries as there are particles.
+void ParticleBody::fill_up()
+{
+    ParticleArrays& a = arrays_;
+    const std::size_t count = a.node.size();
+    if (tensor_) {
+        a.tension.resize(count);
+        a.gradient.resize(count);
+        a.correction.resize(count, {1, 1, 1, 0, 0, 0});
+        a.stress.resize(count);
+    }
+    if (!a.bonded.empty()) a.bonded.resize(count);
+    if (!a.laminar.empty()) a.laminar.resize(count);
+    if (!a.rest_pressure.empty()) {
+        a.rest_pressure.resize(count);
+        a.rest_velocity.resize(count);
+    }
+    if (!absorbed_force_.empty()) absorbed_force_.resize(count);
+    a.image.resize(count);
+    a.part.resize(count);
+    a.asleep.resize(count);
+    a.push.resize(count);
+    a.rate.resize(count);
+    a.pressure.resize(count);
+    a.viscous_force.resize(count);
+    a.heat.resize(count);
+    a.skin.resize(count);
 }
 
 void ParticleBody::add_forces(const Clock& clock, State& state)
 {
     vote_ = {};
     if (clock.time < options_.birth || clock.time > options_.death) return;
+    std::vector<Index> newcomers;
+    if (hosts_.someone_lost(state)) newcomers = take_out_of_solids(state);
+    if (hosts_.any() && !anyone_free()) return;
+    follow_solids(state);
     read_motion(clock, state);
     add_absorbed_work(0.5 * clock.last_step);
-    if (!lists_hold(state) || anyone_leaves()) search(state);
+    if (!newcomers.empty() || !lists_hold(state) || anyone_leaves()) search(state);
     ++cycles_since_search_;
     images_.refresh_motion(arrays_);
     if (clock.last_step > 0) sum_rates(clock);
-    apply_laws(clock.last_step, places_);
+    if (newcomers.empty()) {
+        apply_laws(clock.last_step, places_);
+    } else {
+        apply_laws_beside(newcomers, clock.last_step);
+    }
+    if (!bonded_places_.empty()) set_bonded(clock.last_step, state);
     const int interval = options_.filter_interval;
     if (interval > 0 && clock.cycle > 0 && clock.cycle % interval == 0) filter_densities();
     images_.refresh_all(arrays_);
     add_pair_forces(clock, state);
     if (options_.tensile_repulsion > 0) add_tensile_forces(clock, state);
     if (!arrays_.laminar.empty()) add_laminar_forces(clock, state);
+    pass_bonded_forces(state);
     find_absorbed_forces();
     add_absorbed_work(0.5 * clock.last_step);
     // Half of the last impulse and half of this one fall into the step that ends now.
@@ -217,6 +270,7 @@ void ParticleBody::search(State& state)
     ParticleArrays& a = arrays_;
     std::vector<Index> number = dismiss_leaving(state);
     release(runs_); // makes room for what sorting needs
+    if (real_count_ == 0) return put_to_sleep(state);
     images_.follow(state, model_.nodes.position);
     followed_.clear();
     for (const PeriodicPair& pair : images_.periods()) {
@@ -254,6 +308,7 @@ void ParticleBody::search(State& state)
         sort(a.push, images);
         sort(a.node);
         sort(a.part, images);
+        if (!a.bonded.empty()) sort(a.bonded, images);
         sort(a.asleep);
         if (!a.own_mass.empty()) sort(a.own_mass);
         sort(a.density);
@@ -282,6 +337,7 @@ void ParticleBody::search(State& state)
     images_.settle(order, a);
     images_.refresh_all(a);
     list_neighbours(cells);
+    if (!bonded_places_.empty()) find_pressed();
 }
 
 /// Density, pressure, energy and smoothing length at n, and the shortest stable step.
@@ -352,7 +408,13 @@ StepVote ParticleBody::stable_step() const
 /// Pairs that are weighed by masses take the density of a neighbour for their own.
 std::vector<std::string> ParticleBody::notices(const State&) const
 {
-    if (options_.volume_weighted || !options_.parts_interact) return {};
+    std::vector<std::string> lines;
+    if (hosts_.any()) {
+        lines.push_back(fmt::format("{} particles stand ready in {} solids",
+                                    model_.particles.size() - model_.stand_ins.front().first,
+                                    model_.stand_ins.size()));
+    }
+    if (options_.volume_weighted || !options_.parts_interact) return lines;
     const auto density_of = [](const ParticlePart& part) {
         return part.constants.density * part.law->initial_compression();
     };
@@ -361,11 +423,12 @@ std::vector<std::string> ParticleBody::notices(const State&) const
             return density_of(a) < density_of(b);
         });
     constexpr double noticed = 1.2; // their ratio
-    if (density_of(*heavy) <= noticed * density_of(*light)) return {};
-    return {
+    if (density_of(*heavy) <= noticed * density_of(*light)) return lines;
+    lines.push_back(
         fmt::format("particles of parts {} and {} have the densities {:g} and {:g}: where they meet, FORM 0 "
                     "to 4 and 12 of *CONTROL_SPH are wrong by that ratio; FORM 5 and 6 are not",
-                    light->id, heavy->id, density_of(*light), density_of(*heavy))};
+                    light->id, heavy->id, density_of(*light), density_of(*heavy)));
+    return lines;
 }
 
 void ParticleBody::report(EnergyLedger& ledger) const
@@ -382,6 +445,12 @@ void ParticleBody::report(EnergyLedger& ledger) const
         const double energy = energy_of(places_[number]) + energy_of(sleepers_[number]);
         ledger.add_part(parts_[number].model_part, energy / density, 0);
     }
+    for (Index p : bonded_places_) {
+        const ParticlePart& part = parts_[arrays_.part[p]];
+        ledger.add_part(part.model_part, arrays_.energy[p] * arrays_.mass(p) / part.constants.density, 0);
+    }
+    for (double energy : handed_internal_) ledger.eroded_internal -= energy;
+    for (double energy : lost_kinetic_) ledger.eroded_kinetic += energy;
     ledger.damping += damped_energy_;
     ledger.external_work += wall_work_ + inflows_.work();
     for (const Departed& left : departed_) {

@@ -9,6 +9,7 @@
 #include "sph/neighbours.h"
 #include "sph/particle_arrays.h"
 #include "sph/particle_law.h"
+#include "sph/solid_hosts.h"
 #include "sph/velocity_gradient.h"
 
 #include <memory>
@@ -80,7 +81,8 @@ public:
     void report(EnergyLedger& ledger) const override;
     void serialise(Archive& archive) override
     {
-        archive(wall_work_, wall_power_, absorbed_force_, absorbed_power_, inflows_);
+        archive(wall_work_, wall_power_, absorbed_force_, absorbed_power_, inflows_, real_count_, hosts_,
+                handed_internal_, lost_kinetic_, bonded_places_, pressed_);
         archive(arrays_, images_, runs_, places_, sleepers_, searches_, departed_, followed_, damped_energy_,
                 regions_at_, skin_, least_skin_, cycles_since_search_);
     }
@@ -95,6 +97,8 @@ public:
     };
     const std::vector<Departed>& departed() const { return departed_; } ///< by part of the body
     long searches() const { return searches_; }                         ///< neighbour searches so far
+    /// Who knows the stresses of the solids in which particles wait.
+    void watch_solids(std::vector<const Term*> solids) { solids_ = std::move(solids); }
     /// Mean number of real neighbours closer than the kernel radius.
     double mean_neighbours() const;
     /// The same of each particle, by sorted place.
@@ -108,9 +112,16 @@ private:
     ParticleArrays arrays_;
     Images images_;
     Inflows inflows_;
+    SolidHosts hosts_;
+    std::vector<const Term*> solids_;
     std::vector<NeighbourRun> runs_;
     std::vector<std::vector<Index>> places_;   ///< by part: sorted places of its particles that are awake
     std::vector<std::vector<Index>> sleepers_; ///< and of those that are not
+    std::vector<Index> bonded_places_;         ///< of particles that wait in solids as neighbours of others
+    std::vector<Index> pressed_;               ///< those of them that have such a neighbour
+    std::vector<double>
+        handed_internal_; ///< by part of the Model: energy of solids that particles have [energy]
+    std::vector<double> lost_kinetic_; ///< likewise: of motion, when they took its place [energy]
     std::size_t real_count_ = 0;
     bool tensor_ = false;   ///< push is a tensor
     double least_skin_ = 0; ///< of any particle [length]
@@ -128,6 +139,19 @@ private:
     ParticleVote vote_;
 
     void create(const State& state);
+    void append(std::size_t number, Index node, double mass, const State& state);
+    void fill_up();
+    bool anyone_free() const { return real_count_ > bonded_places_.size(); }
+    std::vector<Index> take_out_of_solids(State& state);
+    void come_out(const SolidHosts::Host& host, const LostSolid& lost, State& state);
+    void take_over(Index place, const SolidHosts::Host& host, const LostSolid& lost, const State& state);
+    void apply_laws_beside(const std::vector<Index>& newcomers, double step);
+    void follow_solids(State& state) const;
+    void tell_bonded_apart(std::vector<std::uint8_t>& group, std::vector<std::uint64_t>& sees) const;
+    void find_pressed();
+    ElementResults stresses_of_solids(const State& state) const;
+    void set_bonded(double step, const State& state);
+    void pass_bonded_forces(State& state) const;
     void read_motion(const Clock& clock, const State& state);
     bool lists_hold(const State& state) const;
     bool leaves(Index place) const;

@@ -8,6 +8,7 @@ namespace plash {
 
 bool ParticleBody::leaves(Index place) const
 {
+    if (!arrays_.bonded.empty() && arrays_.bonded[place]) return false;
     const MotionRecord& motion = arrays_.motion[place];
     if (options_.box && !options_.box->holds(motion.position)) return true;
     for (const MirrorPlane& plane : options_.mirrors) {

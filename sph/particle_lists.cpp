@@ -130,6 +130,30 @@ bool ParticleBody::lists_hold(const State& state) const
     return passed == 0;
 }
 
+/// Bonded particles are groups of their own, behind those of the parts: they do not see each other, for their
+/// solids hold them together.
+void ParticleBody::tell_bonded_apart(std::vector<std::uint8_t>& group, std::vector<std::uint64_t>& sees) const
+{
+    const std::size_t parts = parts_.size();
+    group.resize(arrays_.part.size());
+    for (std::size_t p = 0; p < group.size(); ++p)
+        group[p] = static_cast<std::uint8_t>(arrays_.part[p] + (arrays_.bonded[p] ? parts : 0));
+    std::vector<StandIns::Bond> bond(parts, StandIns::Bond::none);
+    for (Index p : bonded_places_) bond[arrays_.part[p]] = hosts_.bond_of(arrays_.node[p]);
+    sees.assign(2 * parts, 0);
+    for (std::size_t free = 0; free < parts; ++free) {
+        for (std::size_t other = 0; other < parts; ++other) {
+            if (other != free && !options_.parts_interact) continue;
+            sees[free] |= 1ULL << other;
+            const bool holds = bond[other] == StandIns::Bond::at_start ||
+                               (bond[other] == StandIns::Bond::at_loss && other == free);
+            if (!holds) continue;
+            sees[free] |= 1ULL << (parts + other);
+            sees[parts + other] |= 1ULL << free;
+        }
+    }
+}
+
 void ParticleBody::list_neighbours(const ParticleCells& cells)
 {
     ParticleArrays& a = arrays_;
@@ -139,7 +163,12 @@ void ParticleBody::list_neighbours(const ParticleCells& cells)
     if (!options_.parts_interact) {
         for (std::size_t part = 0; part < parts_.size(); ++part) sees.push_back(1ULL << part);
     }
-    build_neighbours(cells, {a.motion, a.skin, support_, a.asleep, a.part, sees}, runs_);
+    std::vector<std::uint8_t> group;
+    if (!bonded_places_.empty()) tell_bonded_apart(group, sees);
+    build_neighbours(
+        cells,
+        {a.motion, a.skin, support_, a.asleep, group.empty() ? std::span(a.part) : std::span(group), sees},
+        runs_);
     ++searches_;
 }
 

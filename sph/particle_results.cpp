@@ -79,6 +79,12 @@ void ParticleBody::collect(const State& state, ElementResults& results) const
             }
         }
     }
+    if (!results.part_motion.empty()) {
+        for (std::size_t part = 0; part < handed_internal_.size(); ++part) {
+            results.part_motion[part].eroded_internal -= handed_internal_[part];
+            results.part_motion[part].eroded_kinetic += lost_kinetic_[part];
+        }
+    }
     if (results.particles.empty()) return;
     const ParticleArrays& a = arrays_;
     const std::vector<int> neighbours = count_neighbours();
@@ -87,7 +93,7 @@ void ParticleBody::collect(const State& state, ElementResults& results) const
         for (std::size_t i = 0; i < part.elements.size(); ++i) element_of[part.nodes[i]] = part.elements[i];
     }
     for (Index p = 0; p < a.real_count(); ++p) {
-        if (element_of[a.node[p]] == none) continue;
+        if (element_of[a.node[p]] == none || hosts_.waits(a.node[p])) continue;
         const ParticlePart& part = parts_[a.part[p]];
         ElementResults::Particle& particle = results.particles[element_of[a.node[p]]];
         particle.smoothing = a.motion[p].smoothing;

@@ -39,7 +39,13 @@ void ParticleBody::put_to_sleep(State& state)
     for (const ActiveRegion& region : options_.regions) {
         regions_at_.push_back(region.travelled(state, model_.nodes.position));
     }
+    bonded_places_.clear();
     for (Index p = 0; p < a.real_count(); ++p) {
+        if (!a.bonded.empty() && a.bonded[p]) {
+            a.asleep[p] = 0;
+            bonded_places_.push_back(p);
+            continue;
+        }
         a.asleep[p] = !nobody && !is_awake(p);
         // Those that wait to flow in are pressed by those in front of them.
         const bool at_rest = a.asleep[p] && !inflows_.waits(a.node[p]);

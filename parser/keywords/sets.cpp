@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace plash {
@@ -129,6 +130,17 @@ std::span<const Translator> set_keywords()
 
 void finish_sets(Reading& reading)
 {
+    if (!reading.pending_stand_ins.empty()) {
+        // Other sets may ask for the nodes of the new particles.
+        const auto is_part_set = [](const PendingSet& set) { return set.kind == Kind::part_set; };
+        auto& pending = reading.pending_sets;
+        const auto end = std::stable_partition(pending.begin(), pending.end(), is_part_set);
+        std::vector<PendingSet> others(std::make_move_iterator(end), std::make_move_iterator(pending.end()));
+        pending.erase(end, pending.end());
+        SetResolver(reading).run();
+        make_stand_ins(reading);
+        pending = std::move(others);
+    }
     SetResolver(reading).run();
     reading.pending_sets.clear();
 }
