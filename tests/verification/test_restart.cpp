@@ -1,6 +1,7 @@
 #include "core/archive.h"
 #include "core/run_error.h"
 #include "tests/paths.h"
+#include "tests/support/adaptive_deck.h"
 #include "tests/support/crash_deck.h"
 #include "tests/support/joined_deck.h"
 #include "tests/support/splash_deck.h"
@@ -178,6 +179,24 @@ TEST_P(RestartOf, EveryRestartFileOfARunLeadsToTheSameEnd)
         ++count;
     }
     EXPECT_EQ(count, 4);
+}
+
+TEST(Restart, ParticlesThatWaitInSolidsComeOutAgain)
+{
+    const TemporaryFolder folder;
+    const fs::path deck = folder / "bar.k";
+    std::ofstream(deck) << testing::pulled_bar("1,1", 6e-3, 0.03,
+                                               "*DATABASE_GLSTAT\n1e-3\n*DATABASE_BINARY_D3PLOT\n0.01\n"
+                                               "*DATABASE_BINARY_D3DUMP\n30\n");
+    ASSERT_EQ(Process(run_command(deck, folder / "run", false)).exit_code(), 0);
+    const auto whole = results_in(folder / "run");
+    for (const char* name : {"d3dump01", "d3dump03"}) { // before and after the loss, in cycle 42
+        fs::copy(fs::path(folder / "run") / name, folder / name);
+        std::vector<std::string> words = run_command(deck, folder / "run", false);
+        words.insert(words.end(), {"--restart", folder / name});
+        ASSERT_EQ(Process(words).exit_code(), 0) << name;
+        expect_same_files(whole, folder / "run");
+    }
 }
 
 TEST(Restart, CtrlCAndTheFileD3kilLeaveARestartFile)

@@ -1,5 +1,6 @@
 #include "contact/surface_contact.h"
 #include "sph/particle_body.h"
+#include "tests/support/adaptive_deck.h"
 #include "tests/support/deck_run.h"
 
 #include <gtest/gtest.h>
@@ -13,18 +14,6 @@ namespace {
 using testing::DeckRun;
 using testing::DeckText;
 
-constexpr double density = 7.85e-6; // of steel, in kg, mm, ms and kN
-
-/// Steel for solids (material 1), the same for solids that go at a time (material 2) and for particles
-/// (material 3), and the sections of both.
-std::string properties(double loss_time)
-{
-    std::string text = "*SECTION_SOLID\n1,1\n*SECTION_SPH\n2\n*CONTROL_ENERGY\n2,2,1,2\n";
-    for (int material = 1; material <= 3; ++material)
-        text += fmt::format("*MAT_PLASTIC_KINEMATIC\n{},{},200,0.3,0.3,1,1\n\n", material, density);
-    return text + fmt::format("*MAT_ADD_EROSION\n2,-1e9\n,,,,,,,{}\n", loss_time);
-}
-
 double mass_of(const State& state)
 {
     return std::accumulate(state.mass.begin(), state.mass.end(), 0.0);
@@ -34,7 +23,7 @@ double mass_of(const State& state)
 std::string flying_block(int per_edge)
 {
     DeckText deck;
-    deck.text += properties(2e-3) + "*CONTROL_TERMINATION\n4e-3\n*CONTROL_SPH\n,,,,,12\n";
+    deck.text += testing::adaptive_steel(2e-3) + "*CONTROL_TERMINATION\n4e-3\n*CONTROL_SPH\n,,,,,12\n";
     deck.text += "*PART\nsteel\n1,1,2\n*PART\nparticles\n2,2,3\n";
     deck.text += fmt::format("*DEFINE_ADAPTIVE_SOLID_TO_SPH\n1,0,{},2,2\n", per_edge);
     deck.block(1, {0, 0, 0}, {4, 4, 4}, 4, 4, 4);
@@ -42,33 +31,14 @@ std::string flying_block(int per_edge)
     return deck.text;
 }
 
-/// Two bodies with a slab between them that becomes particles in the first cycle, while the body at large x
-/// flies off; the velocity rises over four solids. Mean velocity of the other one over the second half of the
-/// run, over that of all.
+/// Mean velocity of the body at small x of the pulled bar over the second half of the run, over that of all.
 struct Bar {
     double followed = 0, balance = 0;
 };
-Bar pulled_bar(const std::string& coupling, double end_time)
+Bar pull(const std::string& coupling)
 {
-    DeckText deck;
-    deck.text +=
-        properties(1e-9) + fmt::format("*CONTROL_TERMINATION\n{}\n*CONTROL_SPH\n,,,,,12\n", end_time);
-    deck.text += "*PART\nheld\n1,1,1\n*PART\nslab\n2,1,2\n*PART\nparticles\n3,2,3\n";
-    deck.text += "*SET_PART\n4\n1,2\n*DEFINE_ADAPTIVE_SOLID_TO_SPH\n4,1,1,3,2," + coupling + "\n";
-    // One mesh: the slab are its middle columns.
-    const int first = deck.block(1, {0, 0, 0}, {12, 3, 3}, 12, 3, 3);
-    const auto elements = deck.text.find("*ELEMENT_SOLID");
-    for (int row = 0; row < 9; ++row)
-        for (int i = 5; i < 7; ++i) {
-            const std::string before = fmt::format("\n{},1,", row * 12 + i + 1);
-            deck.text.replace(deck.text.find(before, elements), before.size(),
-                              fmt::format("\n{},2,", row * 12 + i + 1));
-        }
-    deck.text += "*INITIAL_VELOCITY_NODE\n";
-    for (int node = 0; node < 13 * 16; ++node)
-        deck.text += fmt::format("{},{}\n", first + node, 0.1 * std::clamp(0.25 * (node % 13 - 4), 0.0, 1.0));
-    deck.text += "*END\n";
-    DeckRun run(deck.text);
+    constexpr double end_time = 0.05;
+    DeckRun run(testing::pulled_bar(coupling, 1e-9, end_time));
     const State& state = run.scene->state;
     double sum = 0, all = 0;
     run.watch([&](const Clock& clock, const State&) {
@@ -76,7 +46,7 @@ Bar pulled_bar(const std::string& coupling, double end_time)
         double mass = 0, momentum = 0;
         for (int node = 0; node < 13 * 16; ++node) {
             if (node % 13 > 4) continue;
-            const Index index = run.node(first + node);
+            const Index index = run.node(node + 1);
             mass += state.mass[index];
             momentum += state.mass[index] * state.velocity[index].x;
         }
@@ -116,7 +86,7 @@ TEST(SphAdaptive, ParticlesTakeMassMomentumAndEnergyOfTheirSolids)
 {
     for (const int per_edge : {1, 2}) {
         DeckRun run(flying_block(per_edge));
-        const double mass = 64 * density;
+        const double mass = 64 * testing::steel_density;
         const Vec3 momentum = mass * Vec3{20, 10, 0};
         bool eroded = false;
         run.watch([&](const Clock&, const State& state) {
@@ -139,8 +109,7 @@ TEST(SphAdaptive, ParticlesTakeMassMomentumAndEnergyOfTheirSolids)
 
 TEST(SphAdaptive, BondsPullAlongWhatDebrisLeavesBehind)
 {
-    const Bar debris = pulled_bar("0", 0.05), bonded = pulled_bar("1,1", 0.05),
-              held = pulled_bar("1,0", 0.05);
+    const Bar debris = pull("0"), bonded = pull("1,1"), held = pull("1,0");
     EXPECT_NEAR(debris.followed, 0.05, 0.01); // what the plane at x = 5 had at the start
     EXPECT_NEAR(bonded.followed, 1, 0.1);
     EXPECT_NEAR(held.followed, 1, 0.1);
@@ -153,7 +122,7 @@ TEST(SphAdaptive, DebrisBouncesOffSurfacesAndWalls)
 {
     for (const bool plate : {false, true}) {
         DeckText deck;
-        deck.text += properties(5e-3) + "*CONTROL_TERMINATION\n0.08\n";
+        deck.text += testing::adaptive_steel(5e-3) + "*CONTROL_TERMINATION\n0.08\n";
         deck.text += "*PART\nsteel\n1,1,2\n*PART\nparticles\n2,2,3\n*PART\nplate\n3,3,4\n";
         deck.text += "*SECTION_SHELL\n3,2\n0.2\n*MAT_RIGID\n4,7.85e-6,200,0.3\n1,7,7\n";
         deck.text += "*DEFINE_ADAPTIVE_SOLID_TO_SPH\n1,0,1,2,2\n";
@@ -175,7 +144,7 @@ TEST(SphAdaptive, DebrisBouncesOffSurfacesAndWalls)
         });
         run.go();
         EXPECT_GT(lowest, -0.15) << "plate " << plate;
-        EXPECT_GT(rising, -0.05 * 27 * density * 50) << "plate " << plate;
+        EXPECT_GT(rising, -0.05 * 27 * testing::steel_density * 50) << "plate " << plate;
     }
 }
 
