@@ -247,16 +247,29 @@ void SolidGroup::start_cycle(const Clock& clock)
         std::max(smallest_step_, control.smallest_step_factor * clock.last_step / control.step_scale);
 }
 
-void SolidGroup::take(Index batch, const SolidModes<Lanes>& position, SolidResult<Lanes>& result,
-                      PatchSum& sum)
+void SolidGroup::take(Index batch, const SolidModes<Lanes>& position, const NodeCopies& nodes,
+                      SolidResult<Lanes>& result, PatchSum& sum)
 {
     const LaneMask silent = take_vote(batch, position, result.vote, sum);
     if (!any(silent)) return;
+    Lanes power{};
+    for_corners(result.force, [&](int corner, const Vector3<Lanes>& force) {
+        const std::uint16_t* offsets = patches_.corner_offsets(batch, corner);
+        power += dot(force, load_corner<Lanes>(nodes.velocity.data(), offsets));
+    });
+    book_missing_work(batch, power, sum);
     const auto clear = [&](Vector3<Lanes>& force) {
         force = {silent ? Lanes{} : force.x, silent ? Lanes{} : force.y, silent ? Lanes{} : force.z};
     };
     for (auto& force : result.force.linear) clear(force);
     for (auto& force : result.force.hourglass) clear(force);
+}
+
+void SolidGroup::book_missing_work(Index batch, const Lanes& power, PatchSum& sum) const
+{
+    const auto first = static_cast<std::size_t>(batch) * lane_count;
+    for (auto loss = sum.lost.rbegin(); loss != sum.lost.rend() && loss->place >= first; ++loss)
+        loss->missing_work = 0.5 * last_step_ * power[loss->place - first];
 }
 
 LaneMask SolidGroup::take_vote(Index batch, const SolidModes<Lanes>& position, SolidVote<Lanes>& vote,
@@ -273,7 +286,12 @@ LaneMask SolidGroup::take_vote(Index batch, const SolidModes<Lanes>& position, S
     const auto place_of = [&](int lane) { return static_cast<std::size_t>(batch) * lane_count + lane; };
     if (any(lost)) {
         for (int lane = 0; lane < active; ++lane) {
-            if (lost[lane]) (vote.inverted[lane] ? sum.inverted : sum.lost).push_back(place_of(lane));
+            if (!lost[lane]) continue;
+            if (vote.inverted[lane]) {
+                sum.inverted.push_back(place_of(lane));
+            } else {
+                sum.lost.push_back({place_of(lane), 0});
+            }
         }
     }
     const Lanes* history = history_of(batch);
@@ -298,8 +316,9 @@ void SolidGroup::silence(Index batch, const LaneMask& dead, const LaneMask& sile
     vote.stable_step = silent ? broadcast<Lanes>(no_step) : vote.stable_step;
 }
 
-void SolidGroup::erase(std::size_t place, State& state)
+void SolidGroup::erase(const Loss& loss, State& state)
 {
+    const std::size_t place = loss.place;
     const Model& model = setup_.model;
     state.deleted_solids.resize(brick_count(model));
     state.deleted_solids[element_of(place) + (setup_.thick_shells ? model.solids.size() : 0)] = 1;
@@ -309,7 +328,7 @@ void SolidGroup::erase(std::size_t place, State& state)
     const auto batch = static_cast<Index>(place / lane_count);
     const int lane = static_cast<int>(place % lane_count);
     Lanes* history = history_of(batch);
-    eroded_internal_ += history[internal_energy_history][lane];
+    eroded_internal_ += history[internal_energy_history][lane] + loss.missing_work;
     eroded_hourglass_ += history[hourglass_energy_history][lane];
     internal_ -= history[internal_energy_history][lane];
     hourglass_ -= history[hourglass_energy_history][lane];
@@ -362,8 +381,8 @@ void SolidGroup::close_cycle(State& state)
             throw RunError(describe(sum.inverted.front(), state.position) +
                            " has no positive volume any more");
         }
-        for (std::size_t place : sum.inverted) erase(place, state);
-        for (std::size_t place : sum.lost) erase(place, state);
+        for (std::size_t place : sum.inverted) erase({place, 0}, state);
+        for (const Loss& loss : sum.lost) erase(loss, state);
     }
     const Part& part = setup_.model.parts[setup_.part];
     vote_ = smallest.step == no_step ? StepVote::nothing()

@@ -77,12 +77,20 @@ protected:
         return constants_[place / lane_count * constant_count_ + constant][place % lane_count];
     }
 
+    /// An element that goes in this cycle. Its energy counts the work of the last step with its force at the
+    /// step's end, which moves nobody any more: half of that force's work in the step, `missing_work`
+    /// [energy], is not in the motion either.
+    struct Loss {
+        std::size_t place = 0;
+        double missing_work = 0;
+    };
     /// What a patch sums up in one cycle.
     struct PatchSum {
         Lanes internal{}, hourglass{}, viscous{};              ///< [energy]; viscous: of this step alone
         double step = std::numeric_limits<double>::infinity(); ///< smallest stable step [time]
         std::size_t place = 0;                                 ///< of the element that wants it
-        std::vector<std::size_t> inverted, lost;               ///< places that have no volume, or have failed
+        std::vector<std::size_t> inverted;                     ///< places that have no volume
+        std::vector<Loss> lost;                                ///< that have failed
     };
 
     SolidGroup(SolidSetup setup, const State& state, int history_size, int constant_count,
@@ -128,10 +136,13 @@ protected:
     void start_cycle(const Clock&);
     /// Takes what a batch has to say into the patch's sum; zeroes the forces of elements that are deleted or
     /// lost in this cycle.
-    void take(Index batch, const SolidModes<Lanes>& position, SolidResult<Lanes>& result, PatchSum& sum);
+    void take(Index batch, const SolidModes<Lanes>& position, const NodeCopies& nodes,
+              SolidResult<Lanes>& result, PatchSum& sum);
     /// The same for formulations whose forces are not SolidModes; returns the elements whose forces have to
     /// vanish.
     LaneMask take_vote(Index batch, const SolidModes<Lanes>& position, SolidVote<Lanes>& vote, PatchSum& sum);
+    /// For those that a batch has just lost; power  of its forces at the end of the step [energy/time]
+    void book_missing_work(Index batch, const Lanes& power, PatchSum& sum) const;
     /// Takes the patch sums into the group; deletes elements, or throws RunError.
     void close_cycle(State&);
 
@@ -192,7 +203,7 @@ private:
     void put_initial_stress(std::size_t place, const InitialStress&, const StressPlaces&);
     void hold_back_loose_elements(const State&);
     void silence(Index batch, const LaneMask& dead, const LaneMask& silent, SolidVote<Lanes>&);
-    void erase(std::size_t place, State&);
+    void erase(const Loss&, State&);
     LostSolid lost_solid(std::size_t place) const;
     std::string describe(std::size_t place, const std::vector<Vec3>& position) const;
 };

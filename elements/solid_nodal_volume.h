@@ -141,7 +141,7 @@ private:
         SolidResult<Lanes> result = solid_step<rule>(point_, setup_.parameters, position, velocity, time_step,
                                                      history, constants_of(batch), averaged);
         history[ratio_history] = averaged.now;
-        take(batch, position, result, sum);
+        take(batch, position, nodes, result, sum);
         const int active = patches_.active_lanes(batch);
         for_corners(result.force, [&](int corner, const Vector3<Lanes>& force) {
             add_corner(nodes.force.data(), patches_.corner_offsets(batch, corner), force, active);

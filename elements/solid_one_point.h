@@ -53,7 +53,7 @@ private:
         const SolidModes<Lanes> position = load(nodes.position), velocity = load(nodes.velocity);
         SolidResult<Lanes> result = solid_step<rule>(point_, setup_.parameters, position, velocity, time_step,
                                                      history_of(batch), constants_of(batch));
-        take(batch, position, result, sum);
+        take(batch, position, nodes, result, sum);
         const int active = patches_.active_lanes(batch);
         for_corners(result.force, [&](int corner, const Vector3<Lanes>& force) {
             add_corner(nodes.force.data(), patches_.corner_offsets(batch, corner), force, active);

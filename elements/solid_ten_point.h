@@ -59,6 +59,11 @@ private:
                            ten_node_modes(rule(), v), time_step, history_of(batch), constants_of(batch));
         const LaneMask silent = take_vote(batch, corner_modes(x), result.vote, sum);
         ten_node_forces(rule(), result.force, force);
+        if (any(silent)) {
+            Lanes power{};
+            for (int i = 0; i < 10; ++i) power += dot(force[i], v[i]);
+            book_missing_work(batch, power, sum);
+        }
         const int active = patches_.active_lanes(batch);
         for (int i = 0; i < 10; ++i) {
             Vector3<Lanes>& f = force[i];

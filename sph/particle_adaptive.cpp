@@ -129,6 +129,25 @@ void ParticleBody::apply_laws_beside(const std::vector<Index>& newcomers, double
     vote_.take(vote);
 }
 
+/// The energy of newcomers counts the work of the step that ends now with the forces of its end, and the
+/// motion of all particles as well, whereas these forces act only from its end on: half of their work is
+/// counted twice. It is told by the leap that the power of all pair forces makes.
+void ParticleBody::book_first_work(const std::vector<Index>& newcomers, double step, const State& state)
+{
+    const double power = sum_chunks(real_count_, [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t p = begin; p < end; ++p)
+            sum += dot(state.force[arrays_.node[p]], state.velocity[arrays_.node[p]]);
+        return sum;
+    });
+    for (Index node : newcomers) {
+        const Index solid_part = model_.solids.part[hosts_.host_of(node).stand_ins.solid];
+        handed_internal_[solid_part] +=
+            0.5 * step * (power - pair_power_) / static_cast<double>(newcomers.size());
+    }
+    pair_power_ = power;
+}
+
 /// Puts bonded particles where their solids have them.
 void ParticleBody::follow_solids(State& state) const
 {

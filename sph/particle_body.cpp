@@ -192,7 +192,10 @@ void ParticleBody::add_forces(const Clock& clock, State& state)
     add_pair_forces(clock, state);
     if (options_.tensile_repulsion > 0) add_tensile_forces(clock, state);
     if (!arrays_.laminar.empty()) add_laminar_forces(clock, state);
-    pass_bonded_forces(state);
+    if (hosts_.any()) {
+        book_first_work(newcomers, clock.last_step, state);
+        pass_bonded_forces(state);
+    }
     find_absorbed_forces();
     add_absorbed_work(0.5 * clock.last_step);
     // Half of the last impulse and half of this one fall into the step that ends now.

@@ -82,7 +82,7 @@ public:
     void serialise(Archive& archive) override
     {
         archive(wall_work_, wall_power_, absorbed_force_, absorbed_power_, inflows_, real_count_, hosts_,
-                handed_internal_, lost_kinetic_, bonded_places_, pressed_);
+                handed_internal_, lost_kinetic_, bonded_places_, pressed_, pair_power_);
         archive(arrays_, images_, runs_, places_, sleepers_, searches_, departed_, followed_, damped_energy_,
                 regions_at_, skin_, least_skin_, cycles_since_search_);
     }
@@ -122,6 +122,7 @@ private:
     std::vector<double>
         handed_internal_; ///< by part of the Model: energy of solids that particles have [energy]
     std::vector<double> lost_kinetic_; ///< likewise: of motion, when they took its place [energy]
+    double pair_power_ = 0; ///< of all pair forces in the last cycle, where particles wait [energy/time]
     std::size_t real_count_ = 0;
     bool tensor_ = false;   ///< push is a tensor
     double least_skin_ = 0; ///< of any particle [length]
@@ -146,6 +147,7 @@ private:
     void come_out(const SolidHosts::Host& host, const LostSolid& lost, State& state);
     void take_over(Index place, const SolidHosts::Host& host, const LostSolid& lost, const State& state);
     void apply_laws_beside(const std::vector<Index>& newcomers, double step);
+    void book_first_work(const std::vector<Index>& newcomers, double step, const State& state);
     void follow_solids(State& state) const;
     void tell_bonded_apart(std::vector<std::uint8_t>& group, std::vector<std::uint64_t>& sees) const;
     void find_pressed();

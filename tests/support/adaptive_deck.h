@@ -16,8 +16,8 @@ inline std::string adaptive_steel(double loss_time)
     return text + fmt::format("*MAT_ADD_EROSION\n2,-1e9\n,,,,,,,{}\n", loss_time);
 }
 
-/// Bars of 12 x 3 x 3 mm whose middle becomes particles at a time, while the end at large x flies off; the
-/// velocity rises over four solids. `more` are further keywords.
+/// A bar of 12 x 3 x 3 mm whose middle becomes particles at a time (without `coupling` just goes), while the
+/// end at large x flies off; the velocity rises over four solids. `more` are further keywords.
 inline std::string pulled_bar(const std::string& coupling, double loss_time, double end_time,
                               const std::string& more = "")
 {
@@ -25,7 +25,8 @@ inline std::string pulled_bar(const std::string& coupling, double loss_time, dou
     deck.text += adaptive_steel(loss_time) + more +
                  fmt::format("*CONTROL_TERMINATION\n{}\n*CONTROL_SPH\n,,,,,12\n", end_time);
     deck.text += "*PART\nheld\n1,1,1\n*PART\nslab\n2,1,2\n*PART\nparticles\n3,2,3\n";
-    deck.text += "*SET_PART\n4\n1,2\n*DEFINE_ADAPTIVE_SOLID_TO_SPH\n4,1,1,3,2," + coupling + "\n";
+    if (!coupling.empty())
+        deck.text += "*SET_PART\n4\n1,2\n*DEFINE_ADAPTIVE_SOLID_TO_SPH\n4,1,1,3,2," + coupling + "\n";
     // One mesh: the slab are its middle columns.
     const int first = deck.block(1, {0, 0, 0}, {12, 3, 3}, 12, 3, 3);
     const auto elements = deck.text.find("*ELEMENT_SOLID");

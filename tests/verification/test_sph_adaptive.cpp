@@ -102,7 +102,7 @@ TEST(SphAdaptive, ParticlesTakeMassMomentumAndEnergyOfTheirSolids)
         const double spin = 0.5 * mass * 900 / 6; // of 64 cubes of 1 mm with their masses at the corners
         EXPECT_GT(ledger.eroded_kinetic, 0);
         EXPECT_LT(ledger.eroded_kinetic, 3.1 * spin);
-        EXPECT_NEAR(ledger.eroded_internal, 0, 1e-9 * ledger.internal);
+        EXPECT_NEAR(ledger.eroded_internal, 0, 1e-5 * ledger.kinetic); // the start of their forces
         EXPECT_LT(ledger.balance_error(), 1e-3);
     }
 }
@@ -113,7 +113,7 @@ TEST(SphAdaptive, BondsPullAlongWhatDebrisLeavesBehind)
     EXPECT_NEAR(debris.followed, 0.05, 0.01); // what the plane at x = 5 had at the start
     EXPECT_NEAR(bonded.followed, 1, 0.1);
     EXPECT_NEAR(held.followed, 1, 0.1);
-    EXPECT_LT(debris.balance, 0.02); // half a step's work of the lost solids; without particles 1.9 %
+    EXPECT_LT(debris.balance, 0.005);
     EXPECT_LT(bonded.balance, 0.01);
     EXPECT_LT(held.balance, 0.01);
 }
