@@ -202,6 +202,7 @@ private:
     const Patches::Patch& patch_of(std::size_t place) const;
     void put_initial_stress(std::size_t place, const InitialStress&, const StressPlaces&);
     void hold_back_loose_elements(const State&);
+    void limit_step(std::size_t place, double limit);
     void silence(Index batch, const LaneMask& dead, const LaneMask& silent, SolidVote<Lanes>&);
     void erase(const Loss&, State&);
     LostSolid lost_solid(std::size_t place) const;

@@ -76,6 +76,22 @@ double lone_step(LinearSolid solid, double mass, double start)
     return bearable_step({&solid, 1}, inverse, start);
 }
 
+/// What linear bulk viscosity leaves of a step.
+double slowed_by(double linear)
+{
+    return 1 / (linear + std::sqrt(1 + linear * linear));
+}
+
+/// By node: belongs to a solid that may take its mass with it (*DEFINE_ADAPTIVE_SOLID_TO_SPH); empty without.
+std::vector<bool> nodes_that_may_lose(const Model& model)
+{
+    if (model.stand_ins.empty()) return {};
+    std::vector<bool> may(model.nodes.size());
+    for (const StandIns& stand_ins : model.stand_ins)
+        for (Index node : model.solids.nodes[stand_ins.solid]) may[node] = true;
+    return may;
+}
+
 /// Solids with numbers of their own for their nodes.
 struct Cluster {
     std::vector<LinearSolid> solids;
@@ -130,8 +146,7 @@ void SolidGroup::hold_back_loose_elements(const State& state)
     });
     if (!std::isfinite(smallest)) return; // gases without energy
     const double scaled = setup_.model.controls.time.step_scale * smallest;
-    const double linear = setup_.parameters.viscosity.linear;
-    const double slowed = 1 / (linear + std::sqrt(1 + linear * linear));
+    const double linear = setup_.parameters.viscosity.linear, slowed = slowed_by(linear);
 
     const auto linear_solid = [&](const Patches::Patch& patch, std::size_t place) {
         Vec3 corners[8];
@@ -156,6 +171,17 @@ void SolidGroup::hold_back_loose_elements(const State& state)
         if (!setup_.eight_points) set_hourglass(setup_.parameters.hourglass, b, own_mass, speed, solid);
         return solid;
     };
+
+    // Whose neighbours may take mass from common nodes: some day it may be alone.
+    const std::vector<bool> may_lose = nodes_that_may_lose(setup_.model);
+    for_each_element([&](const Patches::Patch& patch, std::size_t place) {
+        bool may = false;
+        for (int i = 0; i < 8 && !may_lose.empty(); ++i) may = may || may_lose[corner(patch, place, i)];
+        if (!may) return;
+        const double own_mass = constant_of(place, mass_constant);
+        limit_step(place, lone_step(linear_solid(patch, place), own_mass, scaled) /
+                              setup_.model.controls.time.step_scale);
+    });
 
     // Loose elements that would not bear the group's step on their own.
     std::vector<std::size_t> loose;
@@ -206,17 +232,22 @@ void SolidGroup::hold_back_loose_elements(const State& state)
         // No element needs less than it does on its own.
         const double alone =
             lone_step(linear_solid(patch_of(place), place), constant_of(place, mass_constant), scaled);
-        const double limit = std::max(together, alone) / setup_.model.controls.time.step_scale;
-        if (!(limit < first_step_[place])) continue;
-        if (step_factor_.empty()) step_factor_.assign(patches_.batch_count(), broadcast<Lanes>(1));
-        if (step_limit_.empty()) step_limit_.assign(patches_.batch_count(), broadcast<Lanes>(no_bound));
-        // One-point elements vote for less while they are compressed. The limit counts that already, and
-        // holds at rest as well: a step that changes with every swing of the element would feed it.
-        const double at_rest = setup_.eight_points ? limit : limit / slowed;
-        step_factor_[place / lane_count][place % lane_count] = std::min(1.0, at_rest / first_step_[place]);
-        step_limit_[place / lane_count][place % lane_count] = limit;
-        first_step_[place] = limit;
+        limit_step(place, std::max(together, alone) / setup_.model.controls.time.step_scale);
     }
+}
+
+void SolidGroup::limit_step(std::size_t place, double limit)
+{
+    if (!(limit < first_step_[place])) return;
+    if (step_factor_.empty()) step_factor_.assign(patches_.batch_count(), broadcast<Lanes>(1));
+    if (step_limit_.empty()) step_limit_.assign(patches_.batch_count(), broadcast<Lanes>(no_bound));
+    // One-point elements vote for less while they are compressed. The limit counts that already, and holds at
+    // rest as well: a step that changes with every swing of the element would feed it.
+    const double at_rest =
+        setup_.eight_points ? limit : limit / slowed_by(setup_.parameters.viscosity.linear);
+    step_factor_[place / lane_count][place % lane_count] = std::min(1.0, at_rest / first_step_[place]);
+    step_limit_[place / lane_count][place % lane_count] = limit;
+    first_step_[place] = limit;
 }
 
 } // namespace plash

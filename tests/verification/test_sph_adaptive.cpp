@@ -113,9 +113,9 @@ TEST(SphAdaptive, BondsPullAlongWhatDebrisLeavesBehind)
     EXPECT_NEAR(debris.followed, 0.05, 0.01); // what the plane at x = 5 had at the start
     EXPECT_NEAR(bonded.followed, 1, 0.1);
     EXPECT_NEAR(held.followed, 1, 0.1);
-    EXPECT_LT(debris.balance, 0.005);
-    EXPECT_LT(bonded.balance, 0.01);
-    EXPECT_LT(held.balance, 0.01);
+    EXPECT_LT(debris.balance, 1e-4);
+    EXPECT_LT(bonded.balance, 0.005);
+    EXPECT_LT(held.balance, 0.005);
 }
 
 TEST(SphAdaptive, DebrisBouncesOffSurfacesAndWalls)
@@ -146,6 +146,27 @@ TEST(SphAdaptive, DebrisBouncesOffSurfacesAndWalls)
         EXPECT_GT(lowest, -0.15) << "plate " << plate;
         EXPECT_GT(rising, -0.05 * 27 * testing::steel_density * 50) << "plate " << plate;
     }
+}
+
+TEST(SphAdaptive, SolidsWhoseNeighboursTookTheMassStayStable)
+{
+    // Every other solid goes: cubes that are left alone bear 0.73 of the step that they had in the mesh.
+    DeckText deck;
+    deck.text += testing::adaptive_steel(1e-3) + "*CONTROL_TERMINATION\n0.1\n";
+    deck.text += "*PART\nleft\n1,1,1\n*PART\ngone\n2,1,2\n*PART\nparticles\n3,2,3\n";
+    deck.text += "*DEFINE_ADAPTIVE_SOLID_TO_SPH\n2,0,1,3,2\n";
+    deck.block(1, {0, 0, 0}, {4, 4, 4}, 4, 4, 4);
+    const auto elements = deck.text.find("*ELEMENT_SOLID");
+    for (int i = 0; i < 64; ++i) {
+        if ((i + i / 4 + i / 16) % 2 == 0) continue;
+        const std::string before = fmt::format("\n{},1,", i + 1);
+        deck.text.replace(deck.text.find(before, elements), before.size(), fmt::format("\n{},2,", i + 1));
+    }
+    deck.text += "*INITIAL_VELOCITY_GENERATION\n1,2,5\n2,2,2,0,0,1\n*END\n";
+    DeckRun run(deck.text);
+    run.go();
+    EXPECT_EQ(run.scene->state.deletions, 32);
+    EXPECT_LT(run.scene->ledger.balance_error(), 1e-3);
 }
 
 } // namespace plash
