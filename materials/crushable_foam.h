@@ -1,13 +1,12 @@
 #pragma once
 
+#include "materials/hardening.h"
 #include "materials/history.h"
 #include "materials/principal_axes.h"
 #include "materials/von_mises.h"
-#include "math/curve.h"
 #include "model/model.h"
 
 #include <array>
-#include <cmath>
 
 namespace plash {
 
@@ -19,7 +18,8 @@ struct CrushableFoam {
     double density = 0;       ///< [mass/volume]
     double young_modulus = 0; ///< [stress]
     double poisson_ratio = 0;
-    Curve crushing;             ///< LCID: stress over volume strain
+    Hardening crushing;         ///< LCID: stress over volume strain, up to `last_strain`
+    double last_strain = 0;     ///< of the curve; it is held beyond
     double tensile_cutoff = 0;  ///< TSC [stress]
     double lowest_crushing = 0; ///< smallest stress of the curve
 
@@ -36,37 +36,31 @@ struct CrushableFoam {
         const double shear = young_modulus / (2 * (1 + poisson_ratio));
         add_elastic_stress(stress, increment, shear, 2 * shear * poisson_ratio / (1 - 2 * poisson_ratio));
         history[log_volume] += trace(increment);
+        history[compaction] = max(history[compaction], Lane{1.0 - exp(history[log_volume])});
         // No principal stress is larger than the norm of the tensor.
         const double least = std::min(tensile_cutoff, lowest_crushing);
         if (!any(contract(stress, stress) > least * least)) return;
-        for (int lane = 0; lane < lanes_in<Lane>; ++lane) cut(stress, history, lane);
+        cut(stress, history);
     }
 
 private:
+    /// Cuts the principal stresses; lanes that need no cut keep their stress to the bit.
     template <class Lane>
-    void cut(SymmetricTensor<Lane>& stress, HistoryView<Lane> history, int lane) const
+    [[gnu::noinline]] void cut(SymmetricTensor<Lane>& stress, HistoryView<Lane> history) const
     {
-        const double now = 1 - std::exp(lane_of(history[log_volume], lane));
-        const double most = std::max(lane_of(history[compaction], lane), now);
-        set_lane(history[compaction], lane, most);
-        auto principal = principal_axes(SymmetricTensor<double>{
-            lane_of(stress.xx, lane), lane_of(stress.yy, lane), lane_of(stress.zz, lane),
-            lane_of(stress.xy, lane), lane_of(stress.yz, lane), lane_of(stress.zx, lane)});
-        const double limit = crushing(most);
-        bool changed = false;
-        for (double& value : principal.value) {
-            const double allowed = std::min(std::max(value, -limit), tensile_cutoff);
-            changed = changed || allowed != value;
+        const Lane limit = crushing(min(history[compaction], broadcast<Lane>(last_strain)), Lane{}).stress;
+        auto principal = principal_axes(stress);
+        Lane changed{};
+        for (Lane& value : principal.value) {
+            const Lane allowed = min(max(value, Lane{-limit}), broadcast<Lane>(tensile_cutoff));
+            changed += abs(allowed - value);
             value = allowed;
         }
-        if (!changed) return;
-        const SymmetricTensor<double> result = principal.tensor();
-        set_lane(stress.xx, lane, result.xx);
-        set_lane(stress.yy, lane, result.yy);
-        set_lane(stress.zz, lane, result.zz);
-        set_lane(stress.xy, lane, result.xy);
-        set_lane(stress.yz, lane, result.yz);
-        set_lane(stress.zx, lane, result.zx);
+        const SymmetricTensor<Lane> result = principal.tensor();
+        const MaskOf<Lane> is_cut = changed > 0.0;
+        stress = {is_cut ? result.xx : stress.xx, is_cut ? result.yy : stress.yy,
+                  is_cut ? result.zz : stress.zz, is_cut ? result.xy : stress.xy,
+                  is_cut ? result.yz : stress.yz, is_cut ? result.zx : stress.zx};
     }
 };
 

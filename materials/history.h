@@ -1,5 +1,7 @@
 #pragma once
 
+#include "math/symmetric_tensor.h"
+
 namespace plash {
 
 /// The history variables of a batch of integration points: entry k holds variable k of every lane.
@@ -26,5 +28,24 @@ struct HistoryView {
 
     Lane& operator[](int variable) const { return values[variable]; }
 };
+
+/// Stores a tensor in six variables, in the order of its components.
+template <class Lane>
+inline void put_tensor(Lane* variables, const SymmetricTensor<Lane>& tensor)
+{
+    variables[0] = tensor.xx;
+    variables[1] = tensor.yy;
+    variables[2] = tensor.zz;
+    variables[3] = tensor.xy;
+    variables[4] = tensor.yz;
+    variables[5] = tensor.zx;
+}
+
+/// The tensor that put_tensor has stored.
+template <class Lane>
+inline SymmetricTensor<Lane> tensor_at(const Lane* variables)
+{
+    return {variables[0], variables[1], variables[2], variables[3], variables[4], variables[5]};
+}
 
 } // namespace plash

@@ -80,7 +80,7 @@ struct Honeycomb {
             const Lane limit = factor * max(strength[i](closed), Lane{});
             now[i] = min(max(Lane{old[i] + modulus * more[i]}, Lane{-limit}), limit);
         }
-        SymmetricTensor<Lane> result{now[0], now[1], now[2], now[3], now[4], now[5]};
+        SymmetricTensor<Lane> result = tensor_at(now.data());
         const MaskOf<Lane> solid = closed > 1 - compacted_volume;
         if (any(solid)) {
             const SymmetricTensor<Lane> dense = compacted(before, strain);

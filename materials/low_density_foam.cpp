@@ -2,7 +2,6 @@
 
 #include "materials/parameters.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace plash {
@@ -32,34 +31,22 @@ LowDensityFoam LowDensityFoam::from_record(const Record& record, const Model& mo
 }
 
 void LowDensityFoam::set_loading(const Record& record, std::string_view field, Hardening curves,
-                                 const Curve& slowest)
+                                 const Curve& slowest_curve)
 {
-    for (std::size_t i = 0; i < slowest.abscissa.size(); ++i) {
-        if (slowest.abscissa[i] >= 0 && slowest.ordinate[i] >= 0) continue;
+    for (std::size_t i = 0; i < slowest_curve.abscissa.size(); ++i) {
+        if (slowest_curve.abscissa[i] >= 0 && slowest_curve.ordinate[i] >= 0) continue;
         reject_field(record, field,
                      fmt::format("the point ({}, {}) of the curve is negative; compression is positive",
-                                 slowest.abscissa[i], slowest.ordinate[i]));
+                                 slowest_curve.abscissa[i], slowest_curve.ordinate[i]));
     }
     loading = std::move(curves);
-    place = {0};
-    stress_at = {loading(0.0, 0.0).stress};
-    energy_at = {0};
-    for (double strain : slowest.abscissa) {
+    std::vector<double> place{0}, stress{loading(0.0, 0.0).stress};
+    for (double strain : slowest_curve.abscissa) {
         if (strain <= 0) continue;
-        const double stress = loading(strain, 0.0).stress;
-        energy_at.push_back(energy_at.back() + 0.5 * (strain - place.back()) * (stress_at.back() + stress));
         place.push_back(strain);
-        stress_at.push_back(stress);
+        stress.push_back(loading(strain, 0.0).stress);
     }
-}
-
-double LowDensityFoam::energy(double strain) const
-{
-    if (strain <= 0) return 0;
-    const auto after = std::upper_bound(place.begin(), place.end(), strain) - place.begin();
-    const std::size_t i = after - 1;
-    const double stress = loading(strain, 0.0).stress;
-    return energy_at[i] + 0.5 * (strain - place[i]) * (stress_at[i] + stress);
+    slowest = BrokenLine(place, stress);
 }
 
 } // namespace plash

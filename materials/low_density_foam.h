@@ -4,10 +4,10 @@
 #include "materials/history.h"
 #include "materials/left_cauchy_green.h"
 #include "materials/principal_axes.h"
+#include "math/broken_line.h"
 #include "model/model.h"
 
 #include <array>
-#include <vector>
 
 namespace plash {
 
@@ -27,7 +27,7 @@ struct LowDensityFoam {
     double shape = 1;             ///< SHAPE
     bool tears = false;           ///< FAIL = 1: no tension once TC has been reached
     Hardening loading;            ///< nominal stress over 1 - stretch; goes on with its last slope
-    std::vector<double> place, stress_at, energy_at; ///< points of the curve and the energy up to them
+    BrokenLine slowest;           ///< the loading curve of the lowest rate, from no strain on
 
     enum History { largest_energy, torn, history_size };
 
@@ -55,9 +55,7 @@ struct LowDensityFoam {
         Lane left = one;
         if (hysteresis < 1) {
             Lane now{};
-            for (const Lane& s : stretch) {
-                now += map_lanes(Lane{1.0 - s}, [&](double strain) { return energy(strain); });
-            }
+            for (const Lane& s : stretch) now += energy(Lane{1.0 - s});
             const Lane most = max(history[largest_energy], now);
             history[largest_energy] = most;
             const Lane share = now / max(most, broadcast<Lane>(1e-300));
@@ -91,12 +89,10 @@ struct LowDensityFoam {
             Lane slope = loading(pressed, Lane{}).slope;
             if (loading.depends_on_rate()) slope = max(slope, loading(pressed, broadcast<Lane>(1e300)).slope);
             if (hysteresis < 1) {
-                const auto steeper = [&](double e) {
-                    const double whole = energy(e);
-                    const double s = e > 0 ? loading(e, 0.0).stress : 0;
-                    return whole > 0 ? (1 - hysteresis) * shape * s * s / whole : 0;
-                };
-                slope += map_lanes(strain, steeper);
+                const Lane whole = energy(strain), stress = loading(pressed, Lane{}).stress;
+                const Lane steeper =
+                    ((1 - hysteresis) * shape) * stress * stress / max(whole, broadcast<Lane>(1e-300));
+                slope += whole > 0.0 ? steeper : Lane{};
             }
             const Lane modulus = max(slope, broadcast<Lane>(young_modulus));
             largest = max(largest, Lane{modulus * square});
@@ -104,12 +100,17 @@ struct LowDensityFoam {
         return largest / determinant(deformation);
     }
 
-    /// Takes the loading curves and sums up the energy below the one of the lowest rate; DeckError for
-    /// negative points of that curve.
-    void set_loading(const Record& record, std::string_view field, Hardening curves, const Curve& slowest);
+    /// Takes the loading curves, the one of the lowest rate for the energy as well; DeckError for negative
+    /// points of that curve.
+    void set_loading(const Record& record, std::string_view field, Hardening curves,
+                     const Curve& slowest_curve);
 
     /// Energy that the loading curve has taken up at a compressive strain [stress].
-    double energy(double strain) const;
+    template <class Lane>
+    Lane energy(const Lane& strain) const
+    {
+        return slowest.integral(max(strain, Lane{}));
+    }
 };
 
 } // namespace plash

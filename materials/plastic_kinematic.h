@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/cowper_symonds.h"
 #include "materials/history.h"
 #include "materials/parameters.h"
 #include "materials/von_mises.h"
@@ -17,30 +18,15 @@ struct PlasticKinematicParameters {
     double yield_stress = 0;    ///< SIGY [stress]
     double plastic_modulus = 0; ///< E ETAN / (E - ETAN) [stress]
     double beta = 0;            ///< 0 kinematic, 1 isotropic hardening
-    double rate_constant = 0;   ///< C of Cowper & Symonds [1/time]; 0: no rate effect
-    double rate_exponent = 0;   ///< P
-    bool viscoplastic = false;  ///< VP = 1: the rate is that of plastic strain
-    double failure_strain = 0;  ///< FS: effective plastic strain at which elements are deleted; 0: never
+    CowperSymonds rate;
+    bool viscoplastic = false; ///< VP = 1: the rate is that of plastic strain
+    double failure_strain = 0; ///< FS: effective plastic strain at which elements are deleted; 0: never
 
     static PlasticKinematicParameters from_record(const Record& record);
 
     /// A back stress is needed only if something moves it.
     bool has_back_stress() const { return beta < 1 && plastic_modulus > 0; }
 };
-
-/// The relative stress of one point as its return sees it: equivalent stress squared in the two eigenmodes of
-/// the elastic law, and by how much a multiplier of flow m shrinks them: q(m)^2 = slow_square / (1 + slow
-/// m)^2
-/// + fast_square / (1 + fast m)^2. In three dimensions only the fast mode is there.
-struct ReturnPath {
-    double slow_square, fast_square; ///< [stress^2]
-    double slow, fast;               ///< [stress]
-};
-
-/// Multiplier m of viscoplastic Cowper-Symonds flow over a step: q(m) = (1 + (d / (C dt))^(1/P))
-/// (yield + hardening d) with the effective plastic strain d = 2/3 m q(m); zero inside the static surface.
-double viscoplastic_multiplier(const ReturnPath& path, double yield, double hardening, double rate_constant,
-                               double rate_exponent, double time_step);
 
 /// *MAT_PLASTIC_KINEMATIC (003): von Mises plasticity with mixed linear hardening, radial return.
 /// Source: Krieg & Key (1976); rate effect of Cowper & Symonds (1957) on the yield stress; Hallquist (2006),
@@ -70,7 +56,8 @@ struct PlasticKinematic : PlasticKinematicParameters {
     template <class Lane>
     void rotate_history(HistoryView<Lane> history, const Tensor3<Lane>& rotation) const
     {
-        if constexpr (with_back_stress) store(history, rotated(back_stress_of(history), rotation));
+        if constexpr (with_back_stress)
+            put_tensor(&history[back_stress], rotated(back_stress_of(history), rotation));
     }
 
     /// One step at a batch of solid points.
@@ -96,8 +83,8 @@ struct PlasticKinematic : PlasticKinematicParameters {
         const Lane trial = yielding ? sqrt(square) : broadcast<Lane>(1);
         Lane share; // plastic strain over trial stress
         if (viscoplastic) {
-            const Lane m =
-                viscous_multiplier(Lane{}, square, stiffness / 1.5, stiffness / 1.5, yield, time_step);
+            const PlaneStressPath<Lane> path(stiffness / 1.5, stiffness / 1.5, Lane{}, square);
+            const Lane m = rate.multiplier(path, yield, isotropic_modulus(), time_step);
             share = m / (1.5 + stiffness * m);
         } else {
             share = (trial - yield) / (trial * (stiffness + scale * isotropic_modulus()));
@@ -106,7 +93,8 @@ struct PlasticKinematic : PlasticKinematicParameters {
         history[plastic_strain] += share * trial;
         stress = stress - (3 * shear * share) * relative;
         if constexpr (with_back_stress) {
-            store(history, back_stress_of(history) + (kinematic_modulus() * share) * relative);
+            put_tensor(&history[back_stress],
+                       back_stress_of(history) + (kinematic_modulus() * share) * relative);
         }
     }
 
@@ -131,15 +119,14 @@ struct PlasticKinematic : PlasticKinematicParameters {
         const Lane scale = rate_factor(increment, time_step);
         const Lane yield = scale * (yield_stress + isotropic_modulus() * history[plastic_strain]);
         const PlaneStressPath<Lane> path(relative, kinematic_modulus(), young_modulus, poisson_ratio);
-        const Lane multiplier = viscoplastic ? viscous_multiplier(path.slow_square, path.fast_square,
-                                                                  path.slow, path.fast, yield, time_step)
+        const Lane multiplier = viscoplastic ? rate.multiplier(path, yield, isotropic_modulus(), time_step)
                                              : path.multiplier(yield, scale * isotropic_modulus());
         if (!any(multiplier > 0.0)) return;
 
         history[plastic_strain] += path.shrink(relative, multiplier);
         if constexpr (with_back_stress) {
             const Lane shift = (2.0 / 3 * kinematic_modulus()) * multiplier;
-            store(history, back_stress_of(history) + shift * deviator(relative));
+            put_tensor(&history[back_stress], back_stress_of(history) + shift * deviator(relative));
             center = center + shift * relative;
         }
         const Lane plastic_zz = multiplier * (-1.0 / 3) * (relative.xx + relative.yy);
@@ -172,8 +159,7 @@ struct PlasticKinematic : PlasticKinematicParameters {
         const PlaneStressPath<Lane> path(2 * young_modulus / 3 + shift_rate, 2 * shear + shift_rate,
                                          relative[0] * relative[0],
                                          3.0 * (relative[1] * relative[1] + relative[2] * relative[2]));
-        const Lane m = viscoplastic ? viscous_multiplier(path.slow_square, path.fast_square, path.slow,
-                                                         path.fast, yield, time_step)
+        const Lane m = viscoplastic ? rate.multiplier(path, yield, isotropic_modulus(), time_step)
                                     : path.multiplier(yield, scale * isotropic_modulus());
         const Lane u = 1.0 / (1.0 + path.slow * m), w = 1.0 / (1.0 + path.fast * m);
         history[plastic_strain] += (2.0 / 3) * m * sqrt(path.slow_square * u * u + path.fast_square * w * w);
@@ -182,10 +168,11 @@ struct PlasticKinematic : PlasticKinematicParameters {
         relative[2] *= w;
         if constexpr (with_back_stress) {
             const Lane shift = shift_rate * m;
-            store(history, back_stress_of(history) +
-                               shift * SymmetricTensor<Lane>{
-                                           (2.0 / 3) * relative[0], (-1.0 / 3) * relative[0],
-                                           (-1.0 / 3) * relative[0], relative[1], Lane{}, relative[2]});
+            put_tensor(&history[back_stress],
+                       back_stress_of(history) +
+                           shift * SymmetricTensor<Lane>{(2.0 / 3) * relative[0], (-1.0 / 3) * relative[0],
+                                                         (-1.0 / 3) * relative[0], relative[1], Lane{},
+                                                         relative[2]});
             for (int i = 0; i < 3; ++i) center[i] += shift * relative[i];
         }
         for (int i = 0; i < 3; ++i) stress[i] = relative[i] + center[i];
@@ -198,51 +185,15 @@ private:
     template <class Lane>
     static SymmetricTensor<Lane> back_stress_of(HistoryView<Lane> history)
     {
-        const Lane* b = &history[back_stress];
-        return {b[0], b[1], b[2], b[3], b[4], b[5]};
-    }
-
-    template <class Lane>
-    static void store(HistoryView<Lane> history, const SymmetricTensor<Lane>& back)
-    {
-        Lane* b = &history[back_stress];
-        b[0] = back.xx;
-        b[1] = back.yy;
-        b[2] = back.zz;
-        b[3] = back.xy;
-        b[4] = back.yz;
-        b[5] = back.zx;
+        return tensor_at(&history[back_stress]);
     }
 
     /// 1 + (rate / C)^(1/P) with the norm of the total strain rate (VP = 0).
     template <class Lane>
     Lane rate_factor(const SymmetricTensor<Lane>& increment, double time_step) const
     {
-        if (rate_constant == 0 || viscoplastic || time_step == 0) return broadcast<Lane>(1);
-        return power_factor(contract(increment, increment) * (1 / (time_step * time_step)));
-    }
-
-    /// Kept out of line, as viscous_multiplier is: calls inside would cost the common path its registers.
-    template <class Lane>
-    [[gnu::noinline]] Lane power_factor(const Lane& rate_square) const
-    {
-        const double unit = 1 / (rate_constant * rate_constant);
-        return map_lanes(rate_square,
-                         [&](double value) { return 1 + std::pow(value * unit, 0.5 / rate_exponent); });
-    }
-
-    template <class Lane>
-    [[gnu::noinline]] Lane viscous_multiplier(const Lane& slow_square, const Lane& fast_square, double slow,
-                                              double fast, const Lane& yield, double time_step) const
-    {
-        Lane multiplier{};
-        for (int lane = 0; lane < lanes_in<Lane>; ++lane) {
-            const ReturnPath path{lane_of(slow_square, lane), lane_of(fast_square, lane), slow, fast};
-            set_lane(multiplier, lane,
-                     viscoplastic_multiplier(path, lane_of(yield, lane), isotropic_modulus(), rate_constant,
-                                             rate_exponent, time_step));
-        }
-        return multiplier;
+        if (rate.constant == 0 || viscoplastic || time_step == 0) return broadcast<Lane>(1);
+        return rate.factor(Lane{contract(increment, increment) * (1 / (time_step * time_step))});
     }
 };
 

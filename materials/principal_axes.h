@@ -27,46 +27,55 @@ struct PrincipalAxes {
     }
 };
 
-/// By cyclic Jacobi rotations, to round-off for any tensor.
+namespace principal_axes_detail {
+
+/// The rotation in the plane of two axes p and q that clears their entry `pq`: Golub & Van Loan (1996),
+/// algorithm 8.4.1, with cosine and sine from the sides of the triangle, so that only one quotient is left.
+/// pr, qr  entries of the third axis r
+template <class T>
+inline void rotate(T& pp, T& qq, T& pq, T& pr, T& qr, Vector3<T>& p, Vector3<T>& q)
+{
+    const T zero{};
+    const T difference = qq - pp, twice = 2.0 * pq;
+    const T root = sqrt(difference * difference + twice * twice);
+    const T side = abs(difference) + root;
+    // Nothing to clear, or numbers whose squares are none any more.
+    const MaskOf<T> clear = MaskOf<T>(twice == 0.0) | MaskOf<T>(root < 1e-150);
+    const T inverse = 1.0 / sqrt(clear ? broadcast<T>(1) : side * side + twice * twice);
+    const T c = clear ? broadcast<T>(1) : side * inverse;
+    const T s = (difference < 0.0 ? -twice : twice) * (clear ? zero : inverse);
+    const T mean = 0.5 * (pp + qq), half = 0.5 * (difference < 0.0 ? -root : root);
+    pp = clear ? pp : mean - half;
+    qq = clear ? qq : mean + half;
+    pq = zero;
+    const T old = pr;
+    pr = c * old - s * qr;
+    qr = s * old + c * qr;
+    const Vector3<T> axis = p;
+    p = c * axis - s * q;
+    q = s * axis + c * q;
+}
+
+} // namespace principal_axes_detail
+
+/// By cyclic Jacobi rotations, to round-off of the norm for any tensor.
 template <class T>
 inline PrincipalAxes<T> principal_axes(const SymmetricTensor<T>& t)
 {
+    using principal_axes_detail::rotate;
+    constexpr int most_sweeps = 30;
     const T zero{}, one = broadcast<T>(1);
-    T m[3][3] = {{t.xx, t.xy, t.zx}, {t.xy, t.yy, t.yz}, {t.zx, t.yz, t.zz}};
-    T v[3][3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
-    for (int sweep = 0; sweep < 30; ++sweep) {
-        const T off = m[0][1] * m[0][1] + m[1][2] * m[1][2] + m[0][2] * m[0][2];
-        const T on = m[0][0] * m[0][0] + m[1][1] * m[1][1] + m[2][2] * m[2][2];
+    SymmetricTensor<T> m = t;
+    Vector3<T> x{one, zero, zero}, y{zero, one, zero}, z{zero, zero, one};
+    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+        const T off = m.xy * m.xy + m.yz * m.yz + m.zx * m.zx;
+        const T on = m.xx * m.xx + m.yy * m.yy + m.zz * m.zz;
         if (!any(off > 1e-32 * on)) break;
-        for (int p = 0; p < 2; ++p)
-            for (int q = p + 1; q < 3; ++q) {
-                // Golub & Van Loan (1996), algorithm 8.4.1: the smaller rotation that clears the entry.
-                const MaskOf<T> clear = m[p][q] == 0.0;
-                const T theta = (m[q][q] - m[p][p]) / (2.0 * (clear ? one : m[p][q]));
-                const T root = abs(theta) + sqrt(theta * theta + 1.0);
-                const T tangent = clear ? zero : (theta < 0.0 ? -one : one) / root;
-                const T c = 1.0 / sqrt(tangent * tangent + 1.0), s = tangent * c;
-                for (int k = 0; k < 3; ++k) {
-                    const T kp = m[k][p], kq = m[k][q];
-                    m[k][p] = c * kp - s * kq;
-                    m[k][q] = s * kp + c * kq;
-                }
-                for (int k = 0; k < 3; ++k) {
-                    const T pk = m[p][k], qk = m[q][k];
-                    m[p][k] = c * pk - s * qk;
-                    m[q][k] = s * pk + c * qk;
-                    const T vp = v[k][p], vq = v[k][q];
-                    v[k][p] = c * vp - s * vq;
-                    v[k][q] = s * vp + c * vq;
-                }
-            }
+        rotate(m.xx, m.yy, m.xy, m.zx, m.yz, x, y);
+        rotate(m.xx, m.zz, m.zx, m.xy, m.yz, x, z);
+        rotate(m.yy, m.zz, m.yz, m.xy, m.zx, y, z);
     }
-    PrincipalAxes<T> result;
-    for (int i = 0; i < 3; ++i) {
-        result.value[i] = m[i][i];
-        result.axis[i] = {v[0][i], v[1][i], v[2][i]};
-    }
-    return result;
+    return {{m.xx, m.yy, m.zz}, {x, y, z}};
 }
 
 } // namespace plash

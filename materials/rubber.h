@@ -106,15 +106,13 @@ private:
     template <class Lane>
     static SymmetricTensor<Lane> branch(HistoryView<Lane> h, int number)
     {
-        const int i = 6 * number;
-        return {h[i], h[i + 1], h[i + 2], h[i + 3], h[i + 4], h[i + 5]};
+        return tensor_at(&h[6 * number]);
     }
 
     template <class Lane>
     static void put(HistoryView<Lane> h, int number, const SymmetricTensor<Lane>& s)
     {
-        const Lane values[6] = {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx};
-        for (int i = 0; i < 6; ++i) h[6 * number + i] = values[i];
+        put_tensor(&h[6 * number], s);
     }
 };
 

@@ -46,6 +46,19 @@ public:
         return y;
     }
 
+    /// Integral from the first point to x, which lies at or beyond it.
+    template <class Lane>
+    Lane integral(const Lane& x) const
+    {
+        const Lane way = x - start_;
+        Lane sum = way * (value_ + (0.5 * first_slope_) * way);
+        for (const Kink& kink : kinks_) {
+            const Lane beyond = max(Lane{x - kink.place}, Lane{});
+            sum += (0.5 * kink.change) * (beyond * beyond);
+        }
+        return sum;
+    }
+
 private:
     /// A change of slope.
     struct Kink {

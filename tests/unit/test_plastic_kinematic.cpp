@@ -75,8 +75,8 @@ TEST(PlasticKinematic, VolumetricCycleStaysElastic)
 TEST(PlasticKinematic, CowperSymondsScalesTheYieldStress)
 {
     auto law = metal<false>(1);
-    law.rate_constant = 40;
-    law.rate_exponent = 5;
+    law.rate.constant = 40;
+    law.rate.exponent = 5;
     DrivenPoint point(law);
     const double strain = 0.01, duration = 1e-4;
     point.strain({0, 0, 0, strain, 0, 0}, 50, duration);
@@ -90,8 +90,8 @@ TEST(PlasticKinematic, CowperSymondsScalesTheYieldStress)
 TEST(PlasticKinematic, ViscoplasticFlowSettlesAtItsOwnRate)
 {
     auto law = metal<false>(1, 0);
-    law.rate_constant = 40;
-    law.rate_exponent = 5;
+    law.rate.constant = 40;
+    law.rate.exponent = 5;
     law.viscoplastic = true;
     DrivenPoint point(law);
     const double rate = 100;
@@ -139,8 +139,8 @@ TEST(PlasticKinematic, PlaneStressEqualsTheSolidLawWithoutThicknessStress)
     check(metal<false>(1), 1);
     check(metal<true>(0.3), 1);
     auto viscous = metal<true>(0.3);
-    viscous.rate_constant = 40;
-    viscous.rate_exponent = 5;
+    viscous.rate.constant = 40;
+    viscous.rate.exponent = 5;
     viscous.viscoplastic = true;
     check(viscous, 1e-5);
 }
