@@ -262,10 +262,13 @@ inline SolidResult<Lane> eight_point_step(const Point& point, const SolidParamet
     const Lane inverse_length = inverse_cube_root(volume);
     const Lane length = volume * inverse_length * inverse_length;
 
+    const Lane volume_change = step * expansion * total_middle * constants[inverse_volume_constant];
     SolidMotion<Lane> motion{{},
                              {},
                              relative_volume,
-                             step * expansion * total_middle * constants[inverse_volume_constant],
+                             volume_change,
+                             volume_change,
+                             volume_change,
                              {},
                              history[internal_energy_history] * constants[inverse_volume_constant],
                              time_step,
@@ -276,7 +279,8 @@ inline SolidResult<Lane> eight_point_step(const Point& point, const SolidParamet
     const Lane sound_speed = sqrt((1.0 / parameters.density) * wave_modulus * relative_volume);
     const Lane viscosity =
         parameters.viscosity.pressure(constants[mass_constant] / volume, length, sound_speed, expansion);
-    motion.mean_viscosity = 0.5 * (viscosity + history[viscosity_history]);
+    const Lane mean_viscosity = 0.5 * (viscosity + history[viscosity_history]);
+    motion.viscous_work = -mean_viscosity * volume_change;
     history[viscosity_history] = viscosity;
 
     // Stresses; their mean pressure makes up all of the pressure that works on the mean volume strain.
@@ -294,7 +298,7 @@ inline SolidResult<Lane> eight_point_step(const Point& point, const SolidParamet
         const Vector3<Lane> half_turn = (0.5 * step) * axial_vector(gradient[i]);
         motion.increment = turned_half(increment, half_turn);
         motion.rotation = incremental_rotation(half_turn);
-        SymmetricTensor<Lane> stress{points[0], points[1], points[2], points[3], points[4], points[5]};
+        SymmetricTensor<Lane> stress = tensor_at(points);
         const SymmetricTensor<Lane> before = stress;
         stress = rotated(stress, motion.rotation);
         const HistoryView<Lane> variables{points + 6};
@@ -303,12 +307,7 @@ inline SolidResult<Lane> eight_point_step(const Point& point, const SolidParamet
         if constexpr (Point::plastic_strain >= 0) {
             plastic_strain += (1.0 / solid_gauss_points) * variables[Point::plastic_strain];
         }
-        points[0] = stress.xx;
-        points[1] = stress.yy;
-        points[2] = stress.zz;
-        points[3] = stress.xy;
-        points[4] = stress.yz;
-        points[5] = stress.zx;
+        put_tensor(points, stress);
         mean = mean + frames[i].volume * stress;
         deviators[i] = deviator(stress);
         work += volume_middle[i] * contract(deviator(before) + deviators[i], increment);
@@ -317,14 +316,9 @@ inline SolidResult<Lane> eight_point_step(const Point& point, const SolidParamet
     mean = (1.0 / volume) * mean;
     const Lane mean_stress = (1.0 / 3) * trace(mean);
     work = 0.5 * (work + total_middle * (mean_before + mean_stress) * step * expansion);
-    vote.viscous_work = -motion.mean_viscosity * step * expansion * total_middle;
+    vote.viscous_work = -mean_viscosity * step * expansion * total_middle;
     history[internal_energy_history] += vote.inverted ? Lane{} : work + vote.viscous_work;
-    history[0] = mean.xx;
-    history[1] = mean.yy;
-    history[2] = mean.zz;
-    history[3] = mean.xy;
-    history[4] = mean.yz;
-    history[5] = mean.zx;
+    put_tensor(history, mean);
     history[point_history] = plastic_strain;
 
     // Stable step.

@@ -74,14 +74,14 @@ struct ExplosivePoint {
         const SymmetricTensor<Lane> shear_before = deviator(stress);
         const SymmetricTensor<Lane> shear = solid_shear(shear_before, deviator(motion.increment), share);
         const Lane middle_volume = motion.relative_volume - 0.5 * motion.volume_change;
-        const Lane other_work = 0.5 * middle_volume * contract(shear_before + shear, motion.increment) -
-                                motion.mean_viscosity * motion.volume_change;
+        const Lane other_work =
+            0.5 * middle_volume * contract(shear_before + shear, motion.increment) + motion.viscous_work;
         const Lane compression = 1.0 / motion.relative_volume;
         if constexpr (eos_history_size < Eos >> 0)
             history[eos_memory] = max(history[eos_memory], compression);
         const PressureStep<Lane> end =
             advance_pressure(mixed(compression, history, share), motion.energy_density, other_work,
-                             pressure_before, motion.volume_change, -1e300);
+                             pressure_before, motion.change_at_start, motion.change_at_end, -1e300);
         stress = {shear.xx - end.pressure,
                   shear.yy - end.pressure,
                   shear.zz - end.pressure,

@@ -52,11 +52,12 @@ struct FluidPoint {
         const double per_step = motion.time_step > 0 ? 2 * fluid.viscosity / motion.time_step : 0;
         const SymmetricTensor<Lane> shear = broadcast<Lane>(per_step) * deviator(motion.increment);
         const Lane middle_volume = motion.relative_volume - 0.5 * motion.volume_change;
-        const Lane other_work = 0.5 * middle_volume * contract(shear_before + shear, motion.increment) -
-                                motion.mean_viscosity * motion.volume_change;
-        const PressureStep<Lane> end = advance_pressure(
-            respond_and_remember(eos, Lane{1.0 / motion.relative_volume}, history.values),
-            motion.energy_density, other_work, pressure_before, motion.volume_change, fluid.lowest_pressure);
+        const Lane other_work =
+            0.5 * middle_volume * contract(shear_before + shear, motion.increment) + motion.viscous_work;
+        const PressureStep<Lane> end =
+            advance_pressure(respond_and_remember(eos, Lane{1.0 / motion.relative_volume}, history.values),
+                             motion.energy_density, other_work, pressure_before, motion.change_at_start,
+                             motion.change_at_end, fluid.lowest_pressure);
         stress = {shear.xx - end.pressure,
                   shear.yy - end.pressure,
                   shear.zz - end.pressure,

@@ -40,7 +40,9 @@ struct SolidMotion {
     Tensor3<Lane> rotation;          ///< of the material over the step
     Lane relative_volume;            ///< volume over reference volume, now
     Lane volume_change;              ///< of the relative volume over the step
-    Lane mean_viscosity;             ///< bulk viscosity pressure, mean of the step's ends [stress]
+    Lane change_at_start;            ///< the same as the forces of the start have worked along it,
+    Lane change_at_end;              ///< and as those of the end have
+    Lane viscous_work;               ///< of bulk viscosity in this step, by reference volume [stress]
     Lane energy_density; ///< internal energy over reference volume, before the step at first [stress]
     double time_step;    ///< [time]
     const SolidModes<Lane>& position;
@@ -79,7 +81,7 @@ inline void replace_volume(SolidMotion<Lane>& motion, const Lane& strain,
     motion.increment.yy += more;
     motion.increment.zz += more;
     motion.relative_volume = averaged.now;
-    motion.volume_change = change;
+    motion.volume_change = motion.change_at_start = motion.change_at_end = change;
 }
 
 /// One step of a batch of one-point solids (Hallquist 2006, 'Solid elements'; Goudreau & Hallquist 1982;
@@ -87,6 +89,14 @@ inline void replace_volume(SolidMotion<Lane>& motion, const Lane& strain,
 ///
 /// Strain and rotation are those of the mid-step geometry, so that rigid rotations of any size strain
 /// nothing and energy is right to second order; forces are those of the geometry at t_n.
+///
+/// With an equation of state the energy is the input of the next pressure, and a first cell may expand by
+/// tens of per cent in a step. There pressures work as the nodal forces of both ends of the step did, so that
+/// what they give to the nodes leaves the cell to round-off (compatible work: Caramana, Burton, Shashkov &
+/// Whalen 1998, J. Comput. Phys. 146, 227-262). Force at an end times motion of the nodes is pressure times
+/// the rate of the volume there, V'. The volume is a cubic function of time while nodes move on straight
+/// lines, so that V' at the start follows from volumes and rates of middle and end:
+///   V'(0) = 8 V'(1/2) + 5 V'(1) - 24 (V(1) - V(1/2)).
 ///
 /// point      material point: stress update and wave modulus (elements/solid_points.h)
 /// position   at n [length]
@@ -129,10 +139,20 @@ inline SolidResult<Lane> solid_step(const Point& point, const SolidParameters& p
                              relative_volume,
                              step * expansion * volume_middle * constants[inverse_volume_constant],
                              {},
+                             {},
+                             {},
                              history[internal_energy_history] * constants[inverse_volume_constant],
                              time_step,
                              position,
                              constants + point_constants};
+    constexpr bool compatible = Point::modulus_changes && sizeof...(Averaged) == 0;
+    motion.change_at_start = motion.change_at_end = motion.volume_change;
+    if constexpr (compatible) {
+        const Tensor3<Lane> end = volume_gradient(b, velocity);
+        motion.change_at_end = step * (end.xx + end.yy + end.zz) * constants[inverse_volume_constant];
+        motion.change_at_start = 8.0 * motion.volume_change + 5.0 * motion.change_at_end -
+                                 24.0 * (volume - volume_middle) * constants[inverse_volume_constant];
+    }
     if constexpr (sizeof...(Averaged) > 0) replace_volume(motion, Lane{step * expansion}, averaged...);
     const HistoryView<Lane> point_variables{history + point_history};
 
@@ -142,24 +162,31 @@ inline SolidResult<Lane> solid_step(const Point& point, const SolidParameters& p
     const Lane length = volume * inverse_length * inverse_length;
     const Lane viscosity = parameters.viscosity.pressure(constants[mass_constant] * inverse_volume, length,
                                                          sound_speed, expansion);
-    motion.mean_viscosity = 0.5 * (viscosity + history[viscosity_history]);
+    if constexpr (compatible) {
+        motion.viscous_work =
+            -0.5 * (history[viscosity_history] * motion.change_at_start + viscosity * motion.change_at_end);
+        vote.viscous_work = motion.viscous_work * reference_volume;
+    } else {
+        const Lane mean = 0.5 * (viscosity + history[viscosity_history]);
+        motion.viscous_work = -mean * motion.volume_change;
+        vote.viscous_work = -mean * step * expansion * volume_middle;
+    }
     history[viscosity_history] = viscosity;
 
     // Stress, and its work by the trapezoidal rule: nodal forces of both ends on the way between them, to
     // second order. The old stress stands in its own place, unturned, as its forces did.
-    SymmetricTensor<Lane> stress{history[0], history[1], history[2], history[3], history[4], history[5]};
+    SymmetricTensor<Lane> stress = tensor_at(history);
     const SymmetricTensor<Lane> stress_before = stress;
     stress = rotated(stress, motion.rotation);
     point.update(stress, point_variables, motion);
     if constexpr (Point::can_fail) vote.failed = point.failed(point_variables, motion);
-    history[0] = stress.xx;
-    history[1] = stress.yy;
-    history[2] = stress.zz;
-    history[3] = stress.xy;
-    history[4] = stress.yz;
-    history[5] = stress.zx;
-    vote.viscous_work = -motion.mean_viscosity * step * expansion * volume_middle;
-    const Lane work = 0.5 * volume_middle * contract(stress_before + stress, increment);
+    put_tensor(history, stress);
+    Lane work = 0.5 * volume_middle * contract(stress_before + stress, increment);
+    if constexpr (compatible) {
+        work += (reference_volume / 6.0) *
+                (trace(stress_before) * (motion.change_at_start - motion.volume_change) +
+                 trace(stress) * (motion.change_at_end - motion.volume_change));
+    }
     history[internal_energy_history] += vote.inverted ? Lane{} : work + vote.viscous_work;
 
     // Stable step.

@@ -53,11 +53,12 @@ struct StrengthPoint {
         SymmetricTensor<Lane> shear = shear_before;
         law.update_deviator(shear, deviator(motion.increment), pressure_before, history, motion.time_step);
         const Lane middle_volume = motion.relative_volume - 0.5 * motion.volume_change;
-        const Lane other_work = 0.5 * middle_volume * contract(shear_before + shear, motion.increment) -
-                                motion.mean_viscosity * motion.volume_change;
+        const Lane other_work =
+            0.5 * middle_volume * contract(shear_before + shear, motion.increment) + motion.viscous_work;
         const PressureStep<Lane> end = advance_pressure(
             respond_and_remember(eos, Lane{1.0 / motion.relative_volume}, history.values + memory),
-            motion.energy_density, other_work, pressure_before, motion.volume_change, law.lowest_pressure());
+            motion.energy_density, other_work, pressure_before, motion.change_at_start, motion.change_at_end,
+            law.lowest_pressure());
         // What has broken bears no tension.
         Lane pressure = law.broken(history) ? max(end.pressure, Lane{}) : end.pressure;
         law.spall.apply(shear, pressure, history[Strength::spalled]);

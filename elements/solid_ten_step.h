@@ -82,10 +82,13 @@ inline TenNodeResult<Lane> ten_point_step(const Point& point, const SolidParamet
         const Lane inverse_reference = 1.0 / constants[point_constants + q];
         const SymmetricTensor<Lane> increment = step * symmetric_part(gradient[q]);
         const Vector3<Lane> half_turn = (0.5 * step) * axial_vector(gradient[q]);
+        const Lane volume_change = trace(increment) * volume_middle[q] * inverse_reference;
         return SolidMotion<Lane>{turned_half(increment, half_turn),
                                  incremental_rotation(half_turn),
                                  now[q].volume * inverse_reference,
-                                 trace(increment) * volume_middle[q] * inverse_reference,
+                                 volume_change,
+                                 volume_change,
+                                 volume_change,
                                  {},
                                  history[internal_energy_history] * constants[inverse_volume_constant],
                                  time_step,
@@ -117,8 +120,8 @@ inline TenNodeResult<Lane> ten_point_step(const Point& point, const SolidParamet
         Lane* values = points + q * ten_point_size<Point>;
         const SolidModes<Lane> place = tetrahedron_of(x[q]);
         SolidMotion<Lane> motion = motion_of(q, place);
-        motion.mean_viscosity = mean_viscosity;
-        SymmetricTensor<Lane> stress{values[0], values[1], values[2], values[3], values[4], values[5]};
+        motion.viscous_work = -mean_viscosity * motion.volume_change;
+        SymmetricTensor<Lane> stress = tensor_at(values);
         const SymmetricTensor<Lane> before = stress;
         stress = rotated(stress, motion.rotation);
         const HistoryView<Lane> variables{values + 6};
@@ -126,12 +129,7 @@ inline TenNodeResult<Lane> ten_point_step(const Point& point, const SolidParamet
         if constexpr (Point::can_fail) failed &= point.failed(variables, motion);
         if constexpr (Point::plastic_strain >= 0)
             plastic_strain += (1.0 / ten_points) * variables[Point::plastic_strain];
-        values[0] = stress.xx;
-        values[1] = stress.yy;
-        values[2] = stress.zz;
-        values[3] = stress.xy;
-        values[4] = stress.yz;
-        values[5] = stress.zx;
+        put_tensor(values, stress);
         mean = mean + (now[q].volume * inverse_volume) * stress;
         work += 0.5 * volume_middle[q] * contract(before + stress, step * symmetric_part(gradient[q]));
         stress.xx -= viscosity;
@@ -144,12 +142,7 @@ inline TenNodeResult<Lane> ten_point_step(const Point& point, const SolidParamet
     if constexpr (Point::can_fail) vote.failed = failed;
     vote.viscous_work = -mean_viscosity * step * swelling;
     history[internal_energy_history] += vote.inverted ? Lane{} : work + vote.viscous_work;
-    history[0] = mean.xx;
-    history[1] = mean.yy;
-    history[2] = mean.zz;
-    history[3] = mean.xy;
-    history[4] = mean.yz;
-    history[5] = mean.zx;
+    put_tensor(history, mean);
     history[point_history] = plastic_strain;
 
     if constexpr (Point::modulus_changes) sound_speed = stiffest_wave();

@@ -199,7 +199,7 @@ inline SolidResult<Lane> thick_shell_step(const Law& law, const ThickShellSettin
             const Lane c = place_of(layer), share = weight_of(layer);
             Lane* const point = values + layer * size;
             const double shear = settings.shear_share[layer];
-            const SymmetricTensor<Lane> old{point[0], point[1], point[2], point[3], point[4], point[5]};
+            const SymmetricTensor<Lane> old = tensor_at(point);
             SymmetricTensor<Lane> increment{strain.exx + c * strain.kxx,
                                             strain.eyy + c * strain.kyy,
                                             kind == ThickShellStress::solid ? thickness_strain[layer]
@@ -229,12 +229,7 @@ inline SolidResult<Lane> thick_shell_step(const Law& law, const ThickShellSettin
             if constexpr (requires { Law::plastic_strain; }) {
                 plastic_strain += (1.0 / settings.columns) * share * variables[Law::plastic_strain];
             }
-            point[0] = stress.xx;
-            point[1] = stress.yy;
-            point[2] = stress.zz;
-            point[3] = stress.xy;
-            point[4] = stress.yz;
-            point[5] = stress.zx;
+            put_tensor(point, stress);
             const SymmetricTensor<Lane> both = old + stress, weighted = share * stress;
             resultant.exx += weighted.xx;
             resultant.eyy += weighted.yy;
@@ -288,12 +283,7 @@ inline SolidResult<Lane> thick_shell_step(const Law& law, const ThickShellSettin
     }
     const Tensor3<Lane>& r = now.axes;
     mean = rotated(mean, Tensor3<Lane>{r.xx, r.yx, r.zx, r.xy, r.yy, r.zy, r.xz, r.yz, r.zz});
-    history[0] = mean.xx;
-    history[1] = mean.yy;
-    history[2] = mean.zz;
-    history[3] = mean.xy;
-    history[4] = mean.yz;
-    history[5] = mean.zx;
+    put_tensor(history, mean);
     history[point_history] = plastic_strain;
     return {thick_shell_forces(now, forces), vote};
 }

@@ -98,11 +98,11 @@ TEST(Sedov, FrontIsWhereItShouldBeInAllDirections)
     }
 }
 
-/// All energy begins in one cell, whose first expansion costs balance: 0.018 with 24 cells a side. It goes in
-/// the first four steps, in which that cell grows by tens of per cent, and neither to viscosity nor to
-/// hourglass control: 16 cells a side lose 0.0186 with TSSFAC 0.6 (0.0196 with Q2 = 0.5), 0.0014 with 0.1,
-/// and nothing after t = 0.02.
-TEST(Sedov, DISABLED_KeepsItsEnergyWithinOnePercent)
+/// All energy begins in one cell, which grows by tens of per cent in each of the first steps. Pressures work
+/// on it as its nodal forces do (elements/solid_step.h): measured 0.0083 with 24 cells a side, 0.0052 and
+/// 0.0011 with half and a sixth of the step, since the steps are not equal (0.018 with the work of the
+/// mid-step geometry).
+TEST(Sedov, KeepsItsEnergyWithinOnePercent)
 {
     EXPECT_LT(sedov(24, 2).balance, 0.01);
 }
