@@ -14,9 +14,14 @@ void StepControl::choose(Clock& clock, const std::vector<std::unique_ptr<Term>>&
         const StepVote vote = term->stable_step();
         if (vote.step < owner_.step) owner_ = vote;
     }
-    constexpr double rise = 1.0 / 50; // of the way to the vote, a cycle
-    const bool follows = stable_ > 0 && std::isfinite(stable_) && owner_.step > stable_;
-    stable_ = follows && std::isfinite(owner_.step) ? stable_ + rise * (owner_.step - stable_) : owner_.step;
+    constexpr double rise = 1.0 / 50;  // of the way to what the vote allows, a cycle
+    constexpr double band = 1.0 / 200; // of the vote, which elastic swings of metals do not leave
+    const double allowed = (1 - band) * owner_.step;
+    if (stable_ == 0 || !std::isfinite(stable_) || !std::isfinite(owner_.step) || owner_.step < stable_) {
+        stable_ = owner_.step;
+    } else if (allowed > stable_) {
+        stable_ += rise * (allowed - stable_);
+    }
     const TimeControls& control = model_.controls.time;
     const double scale = scale_;
     double step = scale * stable_;

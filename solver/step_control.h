@@ -10,10 +10,12 @@ namespace plash {
 
 /// Chooses the step from n to n+1 by the deck's rules (*CONTROL_TIMESTEP, *CONTROL_TERMINATION DTMIN).
 ///
-/// The step falls at once with the smallest vote, and rises by a fiftieth of what the vote allows in a
-/// cycle. A vote swings with the element that gives it, in a few cycles up and down; a step that swings along
-/// is in time with this vibration and feeds or starves it, by the strain in every swing (central difference
-/// keeps energy for a constant step alone).
+/// The step falls at once with the smallest vote; it stays where it is while the vote is up to half a per
+/// cent longer, and rises by a fiftieth of the way to that bound in a cycle when the vote is longer still. A
+/// vote swings with the element that gives it, in a few cycles up and down; a step that swings along is in
+/// time with this vibration and feeds or starves it, by the strain in every swing (central difference keeps
+/// energy for a constant step alone). With the band, swings of elastic metals leave the step at their lower
+/// end.
 class StepControl {
 public:
     explicit StepControl(const Model& model) : StepControl(model, model.controls.time.step_scale) {}

@@ -72,9 +72,10 @@ TEST(PinchedCylinder, DISABLED_OnePointShellsComeToTheSeriesSolution)
     EXPECT_NEAR(pinched_cylinder(2, 32), exact, 0.02 * exact);
 }
 
-/// A ring of eight shells that breathes, a million steps: no damping, so that the energy has to stay.
-/// Measured: the balance is off by 7.4e-3 at the end (14 s).
-TEST(ElasticRing, DISABLED_KeepsItsEnergyForAMillionSteps)
+/// A ring of eight shells that breathes, a million steps: no damping, so that the energy has to stay. It does
+/// as long as the step does not swing with the ring (solver/step_control.h): measured 1.7e-7, after a fifth
+/// of the steps as after all of them.
+TEST(ElasticRing, KeepsItsEnergyForAMillionSteps)
 {
     Model model = shell_model(make_record("MAT_ELASTIC", {{"RO", 7.8e-6}, {"E", 210}, {"PR", 0.3}}),
                               {{"ELFORM", 2}, {"NIP", 2}, {"T1", 0.5}});
@@ -106,8 +107,8 @@ TEST(ElasticRing, DISABLED_KeepsItsEnergyForAMillionSteps)
     const Outcome outcome = run(scene, recorders);
     EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
     EXPECT_GE(outcome.clock.cycle, 999999);
-    EXPECT_LT(scene.ledger.balance_error(), 1e-3);
-    EXPECT_GT(scene.ledger.kinetic + scene.ledger.internal, 0.999 * first);
+    EXPECT_LT(scene.ledger.balance_error(), 1e-5);
+    EXPECT_GT(scene.ledger.kinetic + scene.ledger.internal, (1 - 1e-5) * first);
 }
 
 } // namespace plash
