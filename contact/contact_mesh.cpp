@@ -155,6 +155,16 @@ ContactMesh make_contact_mesh(const Contact& contact, const Surface& slave, cons
     return mesh;
 }
 
+ContactMesh make_contact_mesh(const Contact& contact, const Model& model, const std::vector<PartData>& parts)
+{
+    const SurfaceOptions options = surface_options(contact);
+    const Surface slave = make_surface(model, parts, contact.slave, options);
+    const Surface master = contact.master.kind == ContactSide::Kind::none
+                               ? Surface{}
+                               : make_surface(model, parts, contact.master, options);
+    return make_contact_mesh(contact, slave, master, model.nodes.position);
+}
+
 double ContactMesh::typical_size(double share) const
 {
     std::vector<double> size;

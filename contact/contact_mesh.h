@@ -90,4 +90,7 @@ bool presses_by_segments(const Contact& contact);
 ContactMesh make_contact_mesh(const Contact& contact, const Surface& slave, const Surface& master,
                               std::span<const Vec3> position);
 
+/// The surfaces of a contact by the Model.
+ContactMesh make_contact_mesh(const Contact& contact, const Model& model, const std::vector<PartData>& parts);
+
 } // namespace plash

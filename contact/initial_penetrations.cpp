@@ -11,12 +11,13 @@ std::vector<InitialPenetration> initial_penetrations(const Contact& contact, con
     ContactMotion motion;
     motion.load(mesh, Clock{}, state);
     search.update(mesh, motion);
-    const TouchList nothing_before;
-    std::vector<Touch> touches;
-    const TouchFinder finder(mesh, motion, nothing_before, contact.square_edges);
-    finder.find(search.pairs(), 0, search.pairs().owner.size(), touches);
+    TouchTable table;
+    table.set_owners(search.pairs().owner);
+    TouchFinder::Room room;
+    const TouchFinder finder(mesh, motion, contact.square_edges);
+    finder.find(search.pairs(), 0, table.owners(), table, room);
     std::vector<InitialPenetration> found;
-    for (const Touch& touch : touches) {
+    for (const Touch& touch : table.list(mesh, motion).all) {
         // Surfaces that just touch are no mistake: round-off of their coordinates is not worth a line.
         const double gap = mesh.nodes[touch.node].half_thickness + mesh.facets[touch.facet].half_thickness;
         const double scale = std::max(gap, mesh.facets[touch.facet].size);

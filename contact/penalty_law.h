@@ -12,13 +12,13 @@ namespace plash {
 /// to about a thousandth; with the kink, the half step of full force at either end leaves up to (omega dt)^2
 /// / 4 of the peak.
 template <class Lane>
-inline Lane rounded_force(double stiffness, const Lane& penetration, double rounding)
+inline Lane rounded_force(const Lane& stiffness, const Lane& penetration, const Lane& rounding)
 {
-    const Lane zero{}, kink = broadcast<Lane>(rounding);
+    const Lane zero{};
     const Lane least = broadcast<Lane>(1e-300); // what is divided by it is not taken without rounding
-    const Lane soft = (0.5 * stiffness) * penetration * penetration / max(kink, least);
+    const Lane soft = (0.5 * stiffness) * penetration * penetration / max(rounding, least);
     const Lane plain = stiffness * (penetration - 0.5 * rounding);
-    return penetration > zero ? (penetration < kink ? soft : plain) : zero;
+    return penetration > zero ? (penetration < rounding ? soft : plain) : zero;
 }
 
 /// Stiffness that PENOPT of *CONTROL_CONTACT takes from those of node and segment: 1 the smaller one, 2 and
@@ -47,21 +47,25 @@ struct Friction {
 /// Tangential force on the node after a step (Hallquist 2006, 'Friction'): the old force carried into the
 /// tangent plane less stiffness times the slip of this step, cut back to the friction limit. slip   relative
 /// tangential motion of the node over the facet in the step [length] limit  largest friction force [force]
-inline Vec3 friction_force(const Vec3& before, const Vec3& normal, const Vec3& slip, double stiffness,
-                           double limit)
+template <class Lane>
+inline Vector3<Lane> friction_force(const Vector3<Lane>& before, const Vector3<Lane>& normal,
+                                    const Vector3<Lane>& slip, const Lane& stiffness, const Lane& limit)
 {
-    const Vec3 trial = before - dot(before, normal) * normal - stiffness * slip;
-    const double size = norm(trial);
-    return size > limit ? (limit / size) * trial : trial;
+    const Vector3<Lane> trial = before - dot(before, normal) * normal - stiffness * slip;
+    const Lane size = sqrt(dot(trial, trial)), one = broadcast<Lane>(1);
+    return (size > limit ? limit / max(size, broadcast<Lane>(1e-300)) : one) * trial;
 }
 
 /// Damping coefficient for a percentage of critical damping of node and facet on the contact spring
 /// (Hallquist 2006, 'Contact damping'): c = 2 xi min(m_s, m_m) omega, omega^2 = k (m_s + m_m) / (m_s m_m).
-inline double damping_coefficient(double percent, double stiffness, double node_mass, double facet_mass)
+template <class Lane>
+inline Lane damping_coefficient(double percent, const Lane& stiffness, const Lane& node_mass,
+                                const Lane& facet_mass)
 {
-    if (percent <= 0 || node_mass <= 0 || facet_mass <= 0) return 0;
-    const double omega = std::sqrt(stiffness * (node_mass + facet_mass) / (node_mass * facet_mass));
-    return 0.02 * percent * std::min(node_mass, facet_mass) * omega;
+    const Lane zero{}, smaller = min(node_mass, facet_mass);
+    const Lane omega =
+        sqrt(stiffness * (node_mass + facet_mass) / max(node_mass * facet_mass, broadcast<Lane>(1e-300)));
+    return smaller > zero ? (0.02 * percent) * smaller * omega : zero;
 }
 
 } // namespace plash

@@ -241,7 +241,8 @@ SegmentOverlap::Load SegmentOverlap::load(const Law& law) const
         const Lanes active =
             gap_ - law.baseline - height_at(on_first, first_) + height_at(on_second, second_);
         const Lanes part =
-            plash::load<Lanes>(&points.weight[begin]) * rounded_force(law.stiffness, active, law.rounding);
+            plash::load<Lanes>(&points.weight[begin]) *
+            rounded_force(broadcast<Lanes>(law.stiffness), active, broadcast<Lanes>(law.rounding));
         force += part;
         for (int corner = 0; corner < 4; ++corner) {
             first[corner] += part * on_first[corner];

@@ -2,6 +2,7 @@
 
 #include "contact/closest_point.h"
 #include "contact/initial_penetrations.h"
+#include "contact/ordered_chunks.h"
 #include "core/parallel.h"
 
 #include <algorithm>
@@ -31,14 +32,9 @@ std::vector<Friction> frictions_of(const Contact& contact, const Model& model)
     return frictions;
 }
 
-ContactMesh mesh_of(const Contact& contact, const Model& model, const std::vector<PartData>& parts)
+bool any_friction(const std::vector<Friction>& frictions)
 {
-    const SurfaceOptions options = surface_options(contact);
-    const Surface slave = make_surface(model, parts, contact.slave, options);
-    const Surface master = contact.master.kind == ContactSide::Kind::none
-                               ? Surface{}
-                               : make_surface(model, parts, contact.master, options);
-    return make_contact_mesh(contact, slave, master, model.nodes.position);
+    return std::any_of(frictions.begin(), frictions.end(), [](const Friction& one) { return one.any(); });
 }
 
 } // namespace
@@ -47,10 +43,11 @@ SurfaceContact::SurfaceContact(const Contact& contact, const Model& model, const
     : contact_(contact),
       name_(name_of("contact", contact)),
       model_(model),
-      mesh_(mesh_of(contact, model, parts)),
+      mesh_(make_contact_mesh(contact, model, parts)),
       search_(mesh_, model.solids.nodes, &model.thick_shells.nodes, &model),
       lumped_(lumped_masses(model, parts)),
       frictions_(frictions_of(contact, model)),
+      table_(any_friction(frictions_)),
       sum_now_(mesh_.nodes.size()),
       sum_before_(mesh_.nodes.size())
 {
@@ -114,7 +111,7 @@ void SurfaceContact::hold_back(Index number)
 /// they have to come in first. From the next cycle on they do not touch any more, but their springs pull.
 void SurfaceContact::stick(const State& state)
 {
-    now_.for_each([&](const Touch& touch) {
+    touches().for_each([&](const Touch& touch) {
         const auto& node = mesh_.nodes[touch.node];
         const Facet& facet = mesh_.facets[touch.facet];
         if (stuck_[touch.node] || (node.sides & slave_bit) == 0 || (facet.belongs & master_bit) == 0) return;
@@ -211,41 +208,41 @@ void SurfaceContact::follow_erosion(const State& state)
     mesh_.update_exposed(state);
 }
 
+/// Finds and follows touches, and sums up what they do.
 void SurfaceContact::find_touches()
 {
+    constexpr std::size_t owners_at_once = 512; // their touches stay in second-level cache
     PairList& pairs = search_.pairs();
-    const std::size_t owners = pairs.owner.size();
-    const std::size_t chunks = (owners + chunk_length - 1) / chunk_length;
-    before_.forget();
-    std::swap(now_, before_);
-    now_.first.resize(mesh_.nodes.size(), nullptr);
-    now_.chunks.resize(chunks);
-    const TouchFinder finder(mesh_, motion_, before_, contact_.square_edges);
-    std::vector<double> friction(chunks);
-    for_chunks(owners, [&](std::size_t begin, std::size_t end) {
-        const std::size_t chunk = begin / chunk_length;
-        std::vector<Touch>& touches = now_.chunks[chunk];
-        touches.clear();
-        finder.find(pairs, begin, end, touches);
-        double loss = 0;
-        for (Touch& touch : touches) loss += apply_law(touch);
-        now_.index(chunk);
-        friction[chunk] = loss;
-    });
-    for (double loss : friction) energy_.friction += loss;
+    if (searches_seen_ != search_.searches()) table_.set_owners(pairs.owner);
+    searches_seen_ = search_.searches();
+    touching_before_ = std::exchange(touching_now_, 0);
+    std::swap(sum_now_, sum_before_);
+    const TouchFinder finder(mesh_, motion_, contact_.square_edges);
+    for_chunks_in_order<Room>(
+        pairs.owner.size(), owners_at_once,
+        [&](Room& room, std::size_t begin, std::size_t end) {
+            finder.find(pairs, begin, end, table_, room.finder);
+            press(begin, end, room.pressed);
+        },
+        [&](const Room& room) {
+            touching_now_ += room.pressed.touches;
+            energy_.friction += room.pressed.friction;
+            sum_up(room.pressed);
+        });
+    sum_up_facing();
 }
 
 /// SOFT = 0: SLSFAC times the stiffness by PENOPT. SOFT = 1: at least what the smallest mass bears. SOFT = 2:
 /// what the masses of node and segment bear together, SLSFAC SFS m1 m2 / (m1 + m2) / (2 dt^2) (keyword
 /// manual, *CONTACT, SOFT = 2); without it where SOFT = 2 has no step yet, the penalty serves.
-double SurfaceContact::stiffness_of(const Touch& touch) const
+double SurfaceContact::stiffness_of(Index node, Index number) const
 {
-    const Facet& facet = mesh_.facets[touch.facet];
+    const Facet& facet = mesh_.facets[number];
     const double penalty =
         contact_.penalty_scale *
-        unscaled_stiffness(contact_.penalty_option, mesh_.nodes[touch.node].stiffness, facet.stiffness);
+        unscaled_stiffness(contact_.penalty_option, mesh_.nodes[node].stiffness, facet.stiffness);
     if (contact_.soft == 0 || soft_step_ == 0) return penalty;
-    const double own = mass_[touch.node], step2 = soft_step_ * soft_step_;
+    const double own = mass_[node], step2 = soft_step_ * soft_step_;
     if (contact_.soft == 2) {
         double segment = 0;
         for (Index corner : facet.corner) segment += 0.25 * mass_[corner];
@@ -258,56 +255,30 @@ double SurfaceContact::stiffness_of(const Touch& touch) const
     return std::max(penalty, 0.5 * contact_.soft_scale * smallest / step2);
 }
 
-const Friction& SurfaceContact::friction_of(const Touch& touch, Friction& mixed) const
+const Friction& SurfaceContact::friction_of(Index node, Index facet, Friction& mixed) const
 {
     const auto of_part = [&](Index part) -> const Friction& {
         return part == none ? frictions_.back() : frictions_[part];
     };
-    const Friction& node = of_part(mesh_.nodes[touch.node].part);
-    const Friction& facet = of_part(mesh_.facets[touch.facet].part);
-    if (contact_.static_friction != -1) return node;
-    mixed = {0.5 * (node.at_rest + facet.at_rest), 0.5 * (node.moving + facet.moving),
-             0.5 * (node.decay + facet.decay), 0.5 * (node.shear_cap + facet.shear_cap)};
+    const Friction& own = of_part(mesh_.nodes[node].part);
+    const Friction& other = of_part(mesh_.facets[facet].part);
+    if (contact_.static_friction != -1) return own;
+    mixed = {0.5 * (own.at_rest + other.at_rest), 0.5 * (own.moving + other.moving),
+             0.5 * (own.decay + other.decay), 0.5 * (own.shear_cap + other.shear_cap)};
     return mixed;
 }
 
-/// Fills stiffness and forces of a touch; returns what friction takes in the last step.
-double SurfaceContact::apply_law(Touch& touch) const
+/// Nothing touches, and the next touches are looked for anew.
+void SurfaceContact::rest()
 {
-    const Facet& facet = mesh_.facets[touch.facet];
-    const auto share = shares(touch);
-    Vec3 velocity = motion_.velocity[touch.node];
-    double facet_inverse_mass = 0;
-    for (int i = 0; i < 4; ++i) {
-        const Index corner = facet.corner[i];
-        velocity -= share[i] * motion_.velocity[corner];
-        if (share[i] != 0 && mass_[corner] > 0) facet_inverse_mass += share[i] * share[i] / mass_[corner];
+    search_.forget();
+    if (facing_) facing_->clear();
+    if (touching_now_ + touching_before_ > 0) {
+        std::fill(sum_now_.begin(), sum_now_.end(), NodeSum{});
+        std::fill(sum_before_.begin(), sum_before_.end(), NodeSum{});
     }
-    const double closing = -dot(velocity, touch.normal);
-    if (contact_.constraint) return 0; // constrain() finds the force
-    if (touch.stiffness == 0 || soft_changed_) touch.stiffness = stiffness_of(touch);
-    if (touch.weight < 0)
-        touch.weight = facing_ ? facing_->node_weight(motion_, touch.node, touch.normal) : 1;
-    const double stiffness = touch.weight * touch.stiffness;
-    double normal_force = rounded_force(stiffness, touch.active_penetration(), touch.rounding);
-    if (normal_force > 0 && contact_.damping > 0 && facet_inverse_mass > 0) {
-        const double damping =
-            damping_coefficient(contact_.damping, stiffness, mass_[touch.node], 1 / facet_inverse_mass);
-        normal_force = std::max(0.0, normal_force + damping * closing);
-    }
-    Friction mixed;
-    const Friction& friction = friction_of(touch, mixed);
-    const Vec3 before = touch.friction;
-    const Vec3 slip = motion_.last_step * (velocity + closing * touch.normal);
-    touch.friction = {};
-    if (friction.any()) {
-        const double speed = motion_.last_step > 0 ? norm(slip) / motion_.last_step : 0;
-        double limit = contact_.friction_scale * friction.coefficient(speed) * normal_force;
-        if (friction.shear_cap > 0) limit = std::min(limit, friction.shear_cap * facet.size * facet.size);
-        touch.friction = friction_force(before, touch.normal, slip, stiffness, limit);
-    }
-    touch.force = normal_force * touch.normal + touch.friction;
-    return -0.5 * dot(before + touch.friction, slip);
+    table_.clear();
+    touching_now_ = touching_before_ = 0;
 }
 
 void SurfaceContact::add_forces(const Clock& clock, State& state)
@@ -316,9 +287,7 @@ void SurfaceContact::add_forces(const Clock& clock, State& state)
     vote_ = ties_ ? ties_->vote() : StepVote::nothing();
     if (ties_) pull_ties(clock, state);
     if (!active(clock)) {
-        now_.clear();
-        before_.clear();
-        if (facing_) facing_->clear();
+        rest();
         return;
     }
     follow_erosion(state);
@@ -338,7 +307,6 @@ void SurfaceContact::add_forces(const Clock& clock, State& state)
     find_touches();
     if (sticks_) stick(state);
     if (contact_.constraint || nothing_touches()) return;
-    sum_up();
     add_to(clock, state);
 }
 
@@ -346,7 +314,6 @@ void SurfaceContact::constrain(const Clock& clock, State& state)
 {
     if (!contact_.constraint || !active(clock) || nothing_touches()) return;
     set_constraint_forces(clock, state);
-    sum_up();
     add_to(clock, state);
 }
 
@@ -366,71 +333,53 @@ void SurfaceContact::set_constraint_forces(const Clock& clock, State& state)
                (clock.velocity_step() * inverse_mass(node)) * state.force[mesh_.nodes[node].node];
     };
     std::vector<double> taken(mesh_.nodes.size());
-    now_.for_each([&](const Touch& touch) {
+    touches().for_each([&](const Touch& touch) {
         const auto share = shares(touch);
         for (int i = 0; i < 4; ++i) taken[mesh_.facets[touch.facet].corner[i]] += share[i];
     });
-    for (auto& chunk : now_.chunks) {
-        for (Touch& touch : chunk) {
-            const Facet& facet = mesh_.facets[touch.facet];
-            const auto share = shares(touch);
-            Vec3 velocity = next_velocity(touch.node);
-            double inverse = inverse_mass(touch.node);
-            for (int i = 0; i < 4; ++i) {
-                velocity -= share[i] * next_velocity(facet.corner[i]);
-                inverse += share[i] * taken[facet.corner[i]] * inverse_mass(facet.corner[i]);
-            }
-            touch.force = touch.friction = {};
-            const double along = dot(velocity, touch.normal);
-            const double ahead = touch.active_penetration() - clock.step * along;
-            if (ahead <= 0 || inverse == 0) continue;
-            const double normal_force = ahead / (clock.step * clock.velocity_step() * inverse);
+    const auto take = [&](std::size_t owner, int layer) {
+        const Touch touch = table_.touch(mesh_, motion_, owner, layer);
+        const Facet& facet = mesh_.facets[touch.facet];
+        const auto share = shares(touch);
+        const auto set = [&](TouchTable::Field field, double value) {
+            table_.row(field, layer)[owner] = value;
+        };
+        Vec3 velocity = next_velocity(touch.node), friction_now{};
+        double inverse = inverse_mass(touch.node), normal_force = 0;
+        for (int i = 0; i < 4; ++i) {
+            velocity -= share[i] * next_velocity(facet.corner[i]);
+            inverse += share[i] * taken[facet.corner[i]] * inverse_mass(facet.corner[i]);
+        }
+        const double along = dot(velocity, touch.normal);
+        const double ahead = touch.active_penetration() - clock.step * along;
+        if (ahead > 0 && inverse > 0) {
+            normal_force = ahead / (clock.step * clock.velocity_step() * inverse);
             Friction mixed;
-            const Friction& friction = friction_of(touch, mixed);
+            const Friction& friction = friction_of(touch.node, touch.facet, mixed);
             const Vec3 slip = velocity - along * touch.normal;
             const double speed = norm(slip);
             if (friction.any() && speed > 0) {
                 const double limit = contact_.friction_scale * friction.coefficient(speed) * normal_force;
                 const double stop = speed / (clock.velocity_step() * inverse);
-                touch.friction = (-std::min(limit, stop) / speed) * slip;
+                friction_now = (-std::min(limit, stop) / speed) * slip;
             }
-            touch.force = normal_force * touch.normal + touch.friction;
         }
-    }
+        set(TouchTable::pressing, normal_force);
+        if (table_.with_friction()) {
+            set(TouchTable::friction_x, friction_now.x);
+            set(TouchTable::friction_y, friction_now.y);
+            set(TouchTable::friction_z, friction_now.z);
+        }
+        const Vec3 force = normal_force * touch.normal + friction_now;
+        sum_now_[touch.node].force += force;
+        for (int i = 0; i < 4; ++i) sum_now_[facet.corner[i]].force -= share[i] * force;
+    };
+    for (std::size_t owner = 0; owner < table_.owners(); ++owner)
+        for (int layer = 0; layer < table_.count(owner); ++layer) take(owner, layer);
 }
 
-/// One touch after the other, in the order of the list: the sums have the same bits for any number of
-/// threads.
-void SurfaceContact::sum_up()
+void SurfaceContact::sum_up_facing()
 {
-    std::swap(sum_now_, sum_before_);
-    for_chunks(sum_now_.size(), [&](std::size_t begin, std::size_t end) {
-        std::fill(sum_now_.begin() + begin, sum_now_.begin() + end, NodeSum{});
-    });
-    constexpr std::size_t ahead = 8;
-    for (const auto& chunk : now_.chunks) {
-        for (std::size_t number = 0; number < chunk.size(); ++number) {
-            if (number + 2 * ahead < chunk.size()) {
-                __builtin_prefetch(&mesh_.facets[chunk[number + 2 * ahead].facet]);
-            }
-            if (number + ahead < chunk.size()) {
-                const auto& corner = mesh_.facets[chunk[number + ahead].facet].corner;
-                __builtin_prefetch(&sum_now_[corner[0]]);
-                __builtin_prefetch(&sum_now_[corner[2]]);
-            }
-            const Touch& touch = chunk[number];
-            const Facet& facet = mesh_.facets[touch.facet];
-            const auto share = corner_shares(touch.s, touch.t, facet.triangle());
-            NodeSum& node = sum_now_[touch.node];
-            node.force += touch.force;
-            node.stiffness += touch.weight * touch.stiffness;
-            for (int i = 0; i < 4; ++i) {
-                NodeSum& corner = sum_now_[facet.corner[i]];
-                corner.force -= share[i] * touch.force;
-                corner.stiffness += share[i] * touch.weight * touch.stiffness;
-            }
-        }
-    }
     if (!facing_) return;
     for (const FacingTouch& touch : facing_->touches()) {
         const auto put = [&](Index facet, const std::array<double, 4>& share, double sign) {
@@ -462,6 +411,7 @@ void SurfaceContact::add_to(const Clock& clock, State& state)
         for (std::size_t i = begin; i < end; ++i) {
             const NodeSum& sum = sum_now_[i];
             const double power = dot(sum.force + sum_before_[i].force, motion_.velocity[i]);
+            sum_before_[i] = NodeSum{};
             (mesh_.nodes[i].sides & slave_bit ? part.slave : part.master) -= power;
             if (sum.stiffness == 0 && dot(sum.force, sum.force) == 0) continue;
             state.force[mesh_.nodes[i].node] += sum.force;
@@ -521,7 +471,8 @@ std::vector<std::string> SurfaceContact::notices(const State& state) const
 void SurfaceContact::serialise(Archive& archive)
 {
     if (facing_) facing_->serialise(archive);
-    archive(mass_, weighty_, motion_.travelled, sum_now_, deletions_seen_, soft_step_, energy_, stuck_);
+    archive(mass_, weighty_, motion_.travelled, sum_now_, deletions_seen_, soft_step_, energy_, stuck_,
+            touching_now_);
     search_.serialise(archive);
     if (archive.loading() && ties_ && !number_.empty())
         for (Index node : ties_->held_nodes())
@@ -529,11 +480,9 @@ void SurfaceContact::serialise(Archive& archive)
     if (ties_) ties_->serialise(archive);
     if (archive.loading() && ties_ && !number_.empty())
         for (Index node : ties_->held_nodes()) hold_back(number_[node]);
-    now_.serialise(archive);
+    table_.serialise(archive);
     if (!archive.loading()) return;
-    now_.first.assign(now_.chunks.empty() ? 0 : mesh_.nodes.size(), nullptr);
-    for (std::size_t chunk = 0; chunk < now_.chunks.size(); ++chunk) now_.index(chunk);
-    before_.clear();
+    searches_seen_ = search_.searches();
     for (std::size_t i = 0; i < mass_.size(); ++i) {
         if (mass_[i] == 0) mesh_.nodes[i].acts_on = 0;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/facing_segments.h"
+#include "contact/lane_points.h"
 #include "contact/tied_springs.h"
 #include "contact/touch.h"
 #include "core/term.h"
@@ -38,7 +39,8 @@ public:
 
     const Contact& contact() const { return contact_; }
     const ContactMesh& mesh() const { return mesh_; }
-    const TouchList& touches() const { return now_; }
+    /// All touches as they stand after add_forces.
+    TouchList touches() const { return table_.list(mesh_, motion_); }
     /// Segments that press on segments, or nullptr.
     const FacingSegments* facing() const { return facing_ ? &*facing_ : nullptr; }
     long searches() const { return search_.searches(); }
@@ -62,6 +64,37 @@ private:
         double mass = 0;      ///< [mass]
         double stiffness = 0; ///< of all touches now [force/length]
     };
+    /// What a chunk of the touches presses with, in the order of their owners.
+    struct Pressed {
+        struct OnNode {
+            Four force; ///< on the node, and the stiffness
+            Index node;
+        };
+        struct OnFacet {
+            Four force; ///< on the facet, and the stiffness
+            std::array<double, 4> share;
+            std::array<Index, 4> corner;
+        };
+        std::vector<OnNode> on_nodes;
+        std::vector<OnFacet> on_facets;
+        std::size_t touches = 0;
+        double friction = 0; ///< taken by friction in the last step [energy]
+
+        void clear()
+        {
+            on_nodes.clear();
+            on_facets.clear();
+            touches = 0;
+            friction = 0;
+        }
+    };
+    /// Room of a thread.
+    struct Room {
+        TouchFinder::Room finder;
+        Pressed pressed;
+    };
+    struct FrictionLanes;
+
     const Contact& contact_;
     std::string name_;
     const Model& model_;
@@ -72,8 +105,11 @@ private:
     std::vector<double> lumped_; ///< masses of the Model's nodes by their elements, until the first cycle
     std::vector<double> mass_;   ///< of the mesh's nodes [mass]
     std::vector<Friction> frictions_; ///< by part, and one more for nodes and facets without a part
-    TouchList now_, before_;
-    std::vector<NodeSum> sum_now_, sum_before_; ///< by mesh node; all zero without touches
+    TouchTable table_;
+    std::size_t touching_now_ = 0, touching_before_ = 0; ///< touches of this and the last cycle
+    long searches_seen_ = 0;
+    /// By mesh node; those of the last cycle are zero again once they have been used.
+    std::vector<NodeSum> sum_now_, sum_before_;
     long deletions_seen_ = 0;
     bool restarted_ = false; ///< the mesh does not know yet what erosion had taken before the restart
     double soft_step_ = 0;   ///< longest step so far [time]
@@ -97,11 +133,12 @@ private:
     }
     bool nothing_touches() const
     {
-        return now_.size() + before_.size() == 0 && !facing_pressed_ &&
+        return touching_now_ + touching_before_ == 0 && !facing_pressed_ &&
                (!facing_ || facing_->touches().empty());
     }
     std::array<double, 4> shares(const Touch& touch) const;
     void make_facing();
+    void rest();
     void tie(const std::vector<PartData>& parts);
     void pull_ties(const Clock& clock, State& state);
     void hold_back(Index number);
@@ -112,11 +149,16 @@ private:
     void wake_particles(const State& state);
     void follow_erosion(const State& state);
     void find_touches();
-    double apply_law(Touch& touch) const;
-    double stiffness_of(const Touch& touch) const;
-    const Friction& friction_of(const Touch& touch, Friction& mixed) const;
+    void press(std::size_t begin, std::size_t end, Pressed& pressed);
+    void press_batch(std::size_t owner, std::size_t lanes, Pressed& pressed);
+    void set_stiffness(int layer, std::size_t owner, unsigned active, const Index* facet,
+                       const Vector3<Lanes>& normal);
+    double stiffness_of(Index node, Index facet) const;
+    const Friction& friction_of(Index node, Index facet, Friction& mixed) const;
+    FrictionLanes friction_lanes(const Index* node, const Index* facet) const;
     void set_constraint_forces(const Clock& clock, State& state);
-    void sum_up();
+    void sum_up(const Pressed& pressed);
+    void sum_up_facing();
     void add_facing(ElementResults::ContactForce& sum) const;
     /// What acts at the nodes: normal force, friction, area of the exposed facets; by mesh node.
     struct NodeLoads {

@@ -24,7 +24,7 @@ void SurfaceContact::collect(const State& state, ElementResults& results) const
         if (mesh_.nodes[i].sides & slave_bit) sum.slave_mass += mass_[i];
         if (mesh_.nodes[i].sides & master_bit) sum.master_mass += mass_[i];
     }
-    now_.for_each([&](const Touch& touch) {
+    touches().for_each([&](const Touch& touch) {
         const ContactMesh::Facet& facet = mesh_.facets[touch.facet];
         const auto share = shares(touch);
         Vec3 facet_moment{};
@@ -85,7 +85,7 @@ SurfaceContact::NodeLoads SurfaceContact::node_loads() const
         loads.normal[node] += share * force;
         loads.friction[node] += share * friction;
     };
-    now_.for_each([&](const Touch& touch) {
+    touches().for_each([&](const Touch& touch) {
         const double force = dot(touch.force, touch.normal);
         const auto share = shares(touch);
         put(touch.node, 1, force, touch.friction);
@@ -125,7 +125,7 @@ void SurfaceContact::add_faces(std::vector<ElementResults::ContactFace>& faces) 
     const auto mark = [&](Index facet, double penetration) {
         deepest[facet] = std::max(deepest[facet], penetration);
     };
-    now_.for_each([&](const Touch& touch) { mark(touch.facet, touch.penetration); });
+    touches().for_each([&](const Touch& touch) { mark(touch.facet, touch.penetration); });
     for (std::size_t number = 0; facing_ && number < facing_->touches().size(); ++number) {
         mark(facing_->touches()[number].first, facing_->touches()[number].penetration);
         mark(facing_->touches()[number].second, facing_->touches()[number].penetration);

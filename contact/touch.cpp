@@ -1,6 +1,7 @@
 #include "contact/touch.h"
 
 #include "contact/closest_point.h"
+#include "contact/lane_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,9 @@ using Facet = ContactMesh::Facet;
 /// Share of its size by which an oriented facet reaches beyond its sides (as MAXPAR = 1.025 of LS-DYNA).
 constexpr double overhang = 0.025;
 
+/// Share of its depth behind the face of a solid up to which a node counts as having just come in.
+constexpr double entry = 0.1;
+
 bool share_a_corner(const Facet& a, const Facet& b)
 {
     for (Index corner : a.corner) {
@@ -23,31 +27,6 @@ bool share_a_corner(const Facet& a, const Facet& b)
 }
 
 } // namespace
-
-std::size_t TouchList::size() const
-{
-    std::size_t size = 0;
-    for (const auto& chunk : chunks) size += chunk.size();
-    return size;
-}
-
-void TouchList::clear()
-{
-    chunks.clear();
-    first.clear();
-}
-
-void TouchList::forget()
-{
-    // All of them: going through the touches would load each from memory for the sake of its node.
-    std::fill(first.begin(), first.end(), nullptr);
-}
-
-void TouchList::index(std::size_t chunk)
-{
-    const std::vector<Touch>& touches = chunks[chunk];
-    for (std::size_t i = 0; i < touches.size(); i += touches[i].count) first[touches[i].node] = &touches[i];
-}
 
 /// Normal in the middle of a facet.
 Vec3 TouchFinder::facet_normal(Index facet) const
@@ -75,111 +54,141 @@ int TouchFinder::same_sense(Index facet, Index other) const
     return 0;
 }
 
-void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, std::vector<Touch>& touches) const
+void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, TouchTable& table,
+                       Room& room) const
 {
-    std::vector<Near> near;
-    std::vector<const Near*> order;
-    std::vector<std::size_t> followed; // places in `touches`
     const double now = motion_.travelled + motion_.step_range;
-    collect_near(pairs, begin, end, near);
+    collect_near(pairs, begin, end, table, room);
+    const std::span<const Near> near = room.near;
+    std::vector<Touch>& touches = room.touches;
     std::size_t i = 0;
     for (std::size_t owner = begin; owner < end; ++owner) {
-        const Index node = pairs.owner[owner];
-        if (pairs.quiet[owner] > now) {
-            for (const Touch& old : before_.of(node)) {
-                followed.push_back(touches.size());
-                touches.push_back(old);
-            }
+        const bool quiet = pairs.quiet[owner] > now;
+        if (quiet) {
+            table.set_followed(owner, true);
             continue;
         }
+        std::array<Touch, TouchTable::layers> old;
+        const int count = table.count(owner);
+        for (int layer = 0; layer < count; ++layer) old[layer] = table.touch(mesh_, motion_, owner, layer);
+        const std::span<const Touch> before(old.data(), count);
         std::size_t next = i;
-        while (next < near.size() && near[next].node == node) ++next;
-        const std::size_t first = touches.size();
-        if (next > i) resolve({near.data() + i, next - i}, order, touches);
-        pairs.quiet[owner] = quiet_until(pairs, owner, {near.data() + i, next - i},
-                                         {touches.data() + first, touches.size() - first});
+        while (next < near.size() && near[next].node == pairs.owner[owner]) ++next;
+        touches.clear();
+        if (next > i) resolve(near.subspan(i, next - i), before, room.order, touches);
+        table.set_followed(owner, false);
+        table.put(owner, touches);
+        pairs.quiet[owner] = 0;
+        // Pairs were put off by what the node touched before: from another facet it may reach further.
+        const bool moved = std::any_of(touches.begin(), touches.end(), [&](const Touch& touch) {
+            return std::none_of(before.begin(), before.end(),
+                                [&](const Touch& one) { return one.facet == touch.facet; });
+        });
+        for (Index pair = pairs.begin[owner]; moved && pair < pairs.begin[owner + 1]; ++pair)
+            if (std::isfinite(pairs.due[pair])) pairs.due[pair] = 0;
+        if (!moved) pairs.quiet[owner] = quiet_until(pairs, owner, near.subspan(i, next - i), touches);
+        for (std::size_t layer = 0; pairs.quiet[owner] > now && layer < touches.size(); ++layer) {
+            const double along = dot(facet_normal(touches[layer].facet), touches[layer].normal);
+            table.row(TouchTable::side, static_cast<int>(layer))[owner] = along < 0 ? -1 : 1;
+        }
         i = next;
     }
-    bool ended = false;
-    for (std::size_t k = 0; k < followed.size(); k += lane_count) {
-        Touch* batch[lane_count];
-        const std::size_t count = std::min<std::size_t>(lane_count, followed.size() - k);
-        for (std::size_t lane = 0; lane < count; ++lane) batch[lane] = &touches[followed[k + lane]];
-        ended = follow({batch, count}) || ended;
+}
+
+/// Path before which a pair cannot touch, for a sheet. Behind its plane a facet holds nodes that came there
+/// in touch with it or with a facet beside it; others touch it only within its thickness, so that sheets far
+/// thinner than their elements do not look at all that lie behind one another.
+double TouchFinder::wait_for_sheet(const Near& near, double gap, const TouchTable& table,
+                                   std::size_t owner) const
+{
+    const Facet& facet = mesh_.facets[near.facet];
+    double reach = gap;
+    for (int layer = 0; facet.depth > gap && layer < table.count(owner); ++layer) {
+        const Index old = table.facets(layer)[owner];
+        if (old == near.facet || share_a_corner(mesh_.facets[old], facet)) reach = facet.depth;
     }
-    if (ended) drop_ended(pairs, begin, end, touches);
+    return std::sqrt(near.distance2) - reach;
+}
+
+/// The same for a solid: in front of its face within the thickness, behind it as deep as nodes are held that
+/// touch something (from which side, touch_of() sees), or as those lie that have just come in.
+double TouchFinder::wait_for_solid(const Near& near, double gap, bool touches) const
+{
+    const Facet& facet = mesh_.facets[near.facet];
+    const double inside = (touches || motion_.last_step == 0 ? 1 : entry) * facet.depth;
+    const double distance = dot(near.offset, near.normal);
+    const double over = distance > 0 ? distance - gap : -distance - inside;
+    if (near.feature == 0) return over;
+    const double beside =
+        norm(near.offset - distance * near.normal) - std::max(0.0, overhang * facet.size - gap);
+    return std::min(std::max(beside, over), std::sqrt(near.distance2) - std::max(gap, inside));
 }
 
 /// Goes through the pairs that are due, but for quiet nodes, eight at a time. Facets and their corners lie
 /// where the other body is: they are called for a few batches ahead.
-void TouchFinder::collect_near(PairList& pairs, std::size_t begin, std::size_t end,
-                               std::vector<Near>& near) const
+void TouchFinder::collect_near(PairList& pairs, std::size_t begin, std::size_t end, const TouchTable& table,
+                               Room& room) const
 {
     const double now = motion_.travelled + motion_.step_range;
-    std::vector<Index> due;
+    std::vector<Due>& due = room.due;
+    due.clear();
+    room.near.clear();
     for (std::size_t owner = begin; owner < end; ++owner) {
         if (pairs.quiet[owner] > now) continue;
         for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner + 1]; ++pair)
-            if (pairs.due[pair] <= now) due.push_back(pair);
+            if (pairs.due[pair] <= now) due.push_back({pair, static_cast<Index>(owner)});
     }
-    near.reserve(due.size());
     constexpr std::size_t facets_ahead = 4 * lane_count, corners_ahead = 2 * lane_count;
     for (std::size_t first = 0; first < due.size(); first += lane_count) {
         const std::size_t last = std::min(first + lane_count, due.size());
         for (std::size_t i = first; i < last; ++i) {
             if (i + facets_ahead < due.size()) {
-                __builtin_prefetch(&mesh_.facets[pairs.facet[due[i + facets_ahead]]]);
+                __builtin_prefetch(&mesh_.facets[pairs.facet[due[i + facets_ahead].pair]]);
             }
             if (i + corners_ahead >= due.size()) continue;
-            const auto& corner = mesh_.facets[pairs.facet[due[i + corners_ahead]]].corner;
+            const auto& corner = mesh_.facets[pairs.facet[due[i + corners_ahead].pair]].corner;
             __builtin_prefetch(&motion_.position[corner[0]]);
             __builtin_prefetch(&motion_.position[corner[2]]);
         }
-        measure(pairs, {due.data() + first, last - first}, near);
+        measure(pairs, {due.data() + first, last - first}, table, room.near);
     }
 }
 
 /// Closest points of some pairs: keeps those that may touch in this step, and tells the others when they are
 /// due.
-void TouchFinder::measure(PairList& pairs, std::span<const Index> batch, std::vector<Near>& near) const
+void TouchFinder::measure(PairList& pairs, std::span<const Due> batch, const TouchTable& table,
+                          std::vector<Near>& near) const
 {
-    alignas(sizeof(Lanes)) double place[15][lane_count];
-    alignas(sizeof(Lanes)) double widest[lane_count];
-    for (int lane = 0; lane < lane_count; ++lane) {
-        const std::size_t pair = batch[std::min<std::size_t>(lane, batch.size() - 1)];
-        const Facet& facet = mesh_.facets[pairs.facet[pair]];
-        const Index node = pairs.node[pair];
-        const auto put = [&](int row, const Vec3& p) {
-            place[row][lane] = p.x;
-            place[row + 1][lane] = p.y;
-            place[row + 2][lane] = p.z;
-        };
-        put(0, motion_.position[node]);
-        for (int corner = 0; corner < 4; ++corner)
-            put(3 + 3 * corner, motion_.position[facet.corner[corner]]);
-        widest[lane] = std::max(mesh_.nodes[node].half_thickness + facet.half_thickness, facet.depth);
+    Index node[lane_count], corner[4][lane_count];
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        const Index pair = batch[std::min(lane, batch.size() - 1)].pair;
+        node[lane] = pairs.node[pair];
+        for (int i = 0; i < 4; ++i) corner[i][lane] = mesh_.facets[pairs.facet[pair]].corner[i];
     }
-    const auto get = [&](int row) {
-        Vector3<Lanes> v;
-        std::memcpy(&v.x, place[row], sizeof(Lanes));
-        std::memcpy(&v.y, place[row + 1], sizeof(Lanes));
-        std::memcpy(&v.z, place[row + 2], sizeof(Lanes));
-        return v;
-    };
-    Lanes reach;
-    std::memcpy(&reach, widest, sizeof reach);
-    const SegmentCorners<Lanes> corners{get(3), get(6), get(9), get(12)};
-    const auto point = closest_point(get(0), corners);
+    const Vec3* place = motion_.position.data();
+    const SegmentCorners<Lanes> corners{points_in_lanes(place, corner[0]), points_in_lanes(place, corner[1]),
+                                        points_in_lanes(place, corner[2]), points_in_lanes(place, corner[3])};
+    const auto point = closest_point(points_in_lanes(place, node), corners);
     const auto normal = segment_normal(corners, point.s, point.t);
-    const Lanes left = sqrt(point.distance2) - reach;
-    const auto at = [](const Vector3<Lanes>& v, int lane) { return Vec3{v.x[lane], v.y[lane], v.z[lane]}; };
-    for (int lane = 0; lane < static_cast<int>(batch.size()); ++lane) {
-        const std::size_t pair = batch[lane];
-        pairs.due[pair] = motion_.travelled + left[lane];
-        if (left[lane] > motion_.step_range) continue;
-        near.push_back({pairs.node[pair], pairs.facet[pair], static_cast<int>(point.feature[lane]),
-                        point.s[lane], point.t[lane], point.distance2[lane], at(point.offset, lane),
-                        at(normal, lane)});
+    const auto at = [](const Vector3<Lanes>& v, std::size_t lane) {
+        return Vec3{v.x[lane], v.y[lane], v.z[lane]};
+    };
+    for (std::size_t lane = 0; lane < batch.size(); ++lane) {
+        const auto [pair, owner] = batch[lane];
+        const Near one{node[lane],
+                       pairs.facet[pair],
+                       static_cast<int>(point.feature[lane]),
+                       point.s[lane],
+                       point.t[lane],
+                       point.distance2[lane],
+                       at(point.offset, lane),
+                       at(normal, lane)};
+        const Facet& facet = mesh_.facets[one.facet];
+        const double gap = mesh_.nodes[one.node].half_thickness + facet.half_thickness;
+        const double wait = facet.one_sided ? wait_for_solid(one, gap, table.count(owner) > 0)
+                                            : wait_for_sheet(one, gap, table, owner);
+        pairs.due[pair] = motion_.travelled + wait;
+        if (wait <= motion_.step_range) near.push_back(one);
     }
 }
 
@@ -239,7 +248,7 @@ bool TouchFinder::comes_from_outside(const Near& near, const Vec3& normal, doubl
 {
     if (motion_.last_step == 0) return true;
     const double before = distance + motion_.last_step * closing_speed(near, normal);
-    return before >= -0.1 * mesh_.facets[near.facet].depth;
+    return before >= -entry * mesh_.facets[near.facet].depth;
 }
 
 /// Sum of the normals of the facets around an edge or corner.
@@ -380,22 +389,20 @@ void TouchFinder::inherit(const Near& near, std::span<const Touch> before, Touch
 }
 
 /// Takes the closest facets first, and others only where they hold the node from clearly another direction.
-void TouchFinder::resolve(std::span<const Near> near, std::vector<const Near*>& order,
-                          std::vector<Touch>& touches) const
+void TouchFinder::resolve(std::span<const Near> near, std::span<const Touch> before,
+                          std::vector<const Near*>& order, std::vector<Touch>& touches) const
 {
     order.clear();
     for (const Near& one : near) order.push_back(&one);
     std::sort(order.begin(), order.end(), [](const Near* a, const Near* b) {
         return std::pair(a->distance2, a->facet) < std::pair(b->distance2, b->facet);
     });
-    const std::span<const Touch> before = before_.of(near.front().node);
-    const std::size_t first = touches.size();
     for (const Near* nearest : order) {
         const Near& one = *nearest;
-        if (touches.size() == first + 3) break;
+        if (touches.size() == TouchTable::layers) break;
         const auto beside = [&](const Vec3& direction, double length) {
-            for (std::size_t i = first; i < touches.size(); ++i) {
-                if (dot(touches[i].normal, direction) >= 0.5 * length) return true;
+            for (const Touch& other : touches) {
+                if (dot(other.normal, direction) >= 0.5 * length) return true;
             }
             return false;
         };
@@ -406,8 +413,6 @@ void TouchFinder::resolve(std::span<const Near> near, std::vector<const Near*>& 
         inherit(one, before, touch);
         touches.push_back(touch);
     }
-    for (std::size_t i = first; i < touches.size(); ++i)
-        touches[i].count = static_cast<int>(touches.size() - i);
 }
 
 } // namespace plash

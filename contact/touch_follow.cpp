@@ -1,9 +1,7 @@
-#include "contact/closest_point.h"
 #include "contact/touch.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace plash {
 
@@ -68,72 +66,6 @@ double TouchFinder::quiet_until(const PairList& pairs, std::size_t owner, std::s
         if (!held_off) return 0;
     }
     return until;
-}
-
-/// Brings touches to where their nodes are now. Returns whether one has ended (penetration not above zero).
-bool TouchFinder::follow(std::span<Touch* const> batch) const
-{
-    alignas(sizeof(Lanes)) double place[17][lane_count];
-    for (int lane = 0; lane < lane_count; ++lane) {
-        const Touch& touch = *batch[std::min<std::size_t>(lane, batch.size() - 1)];
-        const auto& facet = mesh_.facets[touch.facet];
-        const auto put = [&](int row, const Vec3& p) {
-            place[row][lane] = p.x;
-            place[row + 1][lane] = p.y;
-            place[row + 2][lane] = p.z;
-        };
-        put(0, motion_.position[touch.node]);
-        for (int corner = 0; corner < 4; ++corner)
-            put(3 + 3 * corner, motion_.position[facet.corner[corner]]);
-        place[15][lane] = touch.s;
-        place[16][lane] = touch.t;
-    }
-    const auto row = [&](int number) {
-        Lanes lanes;
-        std::memcpy(&lanes, place[number], sizeof lanes);
-        return lanes;
-    };
-    const auto get = [&](int first) { return Vector3<Lanes>{row(first), row(first + 1), row(first + 2)}; };
-    const SegmentCorners<Lanes> corners{get(3), get(6), get(9), get(12)};
-    const auto foot = foot_near(get(0), corners, row(15), row(16));
-    const auto normal = segment_normal(corners, foot.s, foot.t);
-    const Lanes height = dot(foot.offset, normal);
-    bool ended = false;
-    for (int lane = 0; lane < static_cast<int>(batch.size()); ++lane) {
-        Touch& touch = *batch[lane];
-        const auto& facet = mesh_.facets[touch.facet];
-        const Vec3 upward{normal.x[lane], normal.y[lane], normal.z[lane]};
-        const double side = dot(upward, touch.normal) < 0 ? -1 : 1, distance = side * height[lane];
-        const double gap = mesh_.nodes[touch.node].half_thickness + facet.half_thickness;
-        touch.s = foot.s[lane];
-        touch.t = foot.t[lane];
-        touch.normal = side * upward;
-        touch.penetration = distance < -facet.depth ? 0 : gap - distance;
-        touch.baseline = std::min(touch.baseline, touch.penetration);
-        ended = ended || touch.penetration <= 0;
-    }
-    return ended;
-}
-
-/// Nodes one of whose touches has ended are not quiet any more.
-void TouchFinder::drop_ended(PairList& pairs, std::size_t begin, std::size_t end,
-                             std::vector<Touch>& touches) const
-{
-    std::size_t kept = 0, owner = begin;
-    for (std::size_t i = 0; i < touches.size(); ++i) {
-        const Touch touch = touches[i];
-        if (touch.penetration > 0) {
-            touches[kept++] = touch;
-            continue;
-        }
-        while (owner < end && pairs.owner[owner] < touch.node) ++owner;
-        if (owner < end && pairs.owner[owner] == touch.node) pairs.quiet[owner] = 0;
-    }
-    touches.resize(kept);
-    for (std::size_t i = kept; i-- > 0;) {
-        const bool goes_on = i + 1 < kept && touches[i + 1].node == touches[i].node;
-        touches[i].count = goes_on ? touches[i + 1].count + 1 : 1;
-    }
 }
 
 } // namespace plash

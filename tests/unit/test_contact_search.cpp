@@ -31,13 +31,15 @@ struct Scenery {
         for (const auto& node : mesh.nodes) motion.position.push_back(built.model.nodes.position[node.node]);
     }
 
-    std::vector<Touch> touches(const TouchList& before = {}) const
+    std::vector<Touch> touches() const
     {
         PairSearch search(mesh, built.model.solids.nodes);
         search.update(mesh, motion);
-        std::vector<Touch> found;
-        TouchFinder(mesh, motion, before, false).find(search.pairs(), 0, search.pairs().owner.size(), found);
-        return found;
+        TouchTable table;
+        table.set_owners(search.pairs().owner);
+        TouchFinder::Room room;
+        TouchFinder(mesh, motion, false).find(search.pairs(), 0, table.owners(), table, room);
+        return table.list(mesh, motion).all;
     }
 };
 
