@@ -166,6 +166,8 @@ void PairList::set_owners()
     }
     begin.push_back(static_cast<Index>(node.size()));
     quiet.assign(owner.size(), 0.0);
+    close.assign(owner.size(), 0);
+    others_due.assign(owner.size(), 0.0);
 }
 
 /// Nodes were searched in their order in space: brings the pairs into the order of the mesh's nodes.
@@ -193,7 +195,9 @@ void PairSearch::leave_out(Index node)
     std::fill(pairs_.due.begin() + (first - pairs_.node.begin()),
               pairs_.due.begin() + (last - pairs_.node.begin()), std::numeric_limits<double>::infinity());
     const auto owner = std::lower_bound(pairs_.owner.begin(), pairs_.owner.end(), node);
-    if (owner != pairs_.owner.end() && *owner == node) pairs_.quiet[owner - pairs_.owner.begin()] = 0;
+    if (owner == pairs_.owner.end() || *owner != node) return;
+    pairs_.quiet[owner - pairs_.owner.begin()] = 0;
+    pairs_.others_due[owner - pairs_.owner.begin()] = 0;
 }
 
 } // namespace plash

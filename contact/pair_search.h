@@ -10,7 +10,7 @@ namespace plash {
 /// Which facets each node may come to touch before the list is made anew.
 struct PairList {
     std::vector<Index> node;  ///< of each pair, rising
-    std::vector<Index> facet; ///< of each pair, rising for each node
+    std::vector<Index> facet; ///< of each pair
     /// Path (see ContactMotion::travelled) before which the pair cannot touch [length]; kept by the
     /// TouchFinder.
     std::vector<double> due;
@@ -18,10 +18,14 @@ struct PairList {
     /// which a node's touches stay on their facets and no other begins [length]; kept by the TouchFinder.
     std::vector<Index> owner, begin;
     std::vector<double> quiet;
+    /// The pairs of an owner that were due soon when all were last looked at stand first: their number, and
+    /// the path before which none of the others is due [length]; kept by the TouchFinder.
+    std::vector<Index> close;
+    std::vector<double> others_due;
 
     /// Finds the owners of the pairs; none of them is quiet.
     void set_owners();
-    void serialise(Archive& archive) { archive(node, facet, due, owner, begin, quiet); }
+    void serialise(Archive& archive) { archive(node, facet, due, owner, begin, quiet, close, others_due); }
 };
 
 /// Finds pairs closer than what contact needs plus a margin, and tells when they must be found again.

@@ -64,36 +64,36 @@ private:
         double mass = 0;      ///< [mass]
         double stiffness = 0; ///< of all touches now [force/length]
     };
-    /// What a chunk of the touches presses with, in the order of their owners.
+    /// What a chunk of the touches presses with, in the order of their owners, eight at a time.
     struct Pressed {
-        struct OnNode {
-            Four force; ///< on the node, and the stiffness
-            Index node;
+        /// Forces on eight nodes or on the points of eight facets, each with its stiffness.
+        struct OnNodes {
+            Four force[lane_count];
+            Index node[lane_count];
+            unsigned lanes; ///< those that count, a bit each
         };
-        struct OnFacet {
-            Four force; ///< on the facet, and the stiffness
-            std::array<double, 4> share;
-            std::array<Index, 4> corner;
+        struct OnFacets {
+            Four force[lane_count];
+            Lanes share[4];
+            Index corner[4][lane_count];
+            unsigned lanes;
         };
-        std::vector<OnNode> on_nodes;
-        std::vector<OnFacet> on_facets;
+        std::vector<OnNodes> on_nodes;
+        std::vector<OnFacets> on_facets;
         std::size_t touches = 0;
         double friction = 0; ///< taken by friction in the last step [energy]
 
-        void clear()
-        {
-            on_nodes.clear();
-            on_facets.clear();
-            touches = 0;
-            friction = 0;
-        }
+        void clear();
     };
     /// Room of a thread.
     struct Room {
         TouchFinder::Room finder;
         Pressed pressed;
     };
+    struct FacetLanes;
     struct FrictionLanes;
+    struct NodeBatch;
+    struct TouchBatch;
 
     const Contact& contact_;
     std::string name_;
@@ -151,6 +151,14 @@ private:
     void find_touches();
     void press(std::size_t begin, std::size_t end, Pressed& pressed);
     void press_batch(std::size_t owner, std::size_t lanes, Pressed& pressed);
+    unsigned place_touches(const NodeBatch& nodes, const FacetLanes& facets, TouchBatch& touches);
+    void press_touches(const NodeBatch& nodes, const FacetLanes& facets, const TouchBatch& touches,
+                       Pressed& pressed);
+    Lanes damped(const NodeBatch& nodes, const FacetLanes& facets, const std::array<Lanes, 4>& share,
+                 const Lanes& stiffness, const Lanes& closing, const Lanes& force) const;
+    Vector3<Lanes> rubbed(const NodeBatch& nodes, const FacetLanes& facets, const TouchBatch& touches,
+                          const Vector3<Lanes>& slip, const Lanes& stiffness, const Lanes& force,
+                          double& loss);
     void set_stiffness(int layer, std::size_t owner, unsigned active, const Index* facet,
                        const Vector3<Lanes>& normal);
     double stiffness_of(Index node, Index facet) const;

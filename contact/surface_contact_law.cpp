@@ -32,9 +32,23 @@ LaneMask mask_of(unsigned bits)
     return (bit & static_cast<std::int64_t>(bits)) != 0;
 }
 
+Vector3<Lanes> choose(LaneMask mask, const Vector3<Lanes>& a, const Vector3<Lanes>& b)
+{
+    return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
+}
+
+std::array<Lanes, 4> shares_in_lanes(const Lanes& s, const Lanes& t, LaneMask triangle)
+{
+    const Lanes one = broadcast<Lanes>(1), zero{};
+    const Lanes u = one - s, v = one - t;
+    return {triangle ? u - t : u * v, triangle ? s : s * v, triangle ? t : s * t, triangle ? zero : u * t};
+}
+
+} // namespace
+
 /// The facets of eight touches: corner [i][lane] of the mesh, what the law needs of each, and which are
 /// triangles. Lanes without a touch repeat one that has.
-struct FacetLanes {
+struct SurfaceContact::FacetLanes {
     Index facet[lane_count];
     Index corner[4][lane_count];
     Lanes half_thickness, depth;
@@ -59,14 +73,24 @@ struct FacetLanes {
     }
 };
 
-std::array<Lanes, 4> shares_in_lanes(const Lanes& s, const Lanes& t, LaneMask triangle)
-{
-    const Lanes one = broadcast<Lanes>(1), zero{};
-    const Lanes u = one - s, v = one - t;
-    return {triangle ? u - t : u * v, triangle ? s : s * v, triangle ? t : s * t, triangle ? zero : u * t};
-}
+/// Eight owners.
+struct SurfaceContact::NodeBatch {
+    std::size_t owner; ///< the first
+    Index node[lane_count];
+    Lanes half_thickness;
+    Vector3<Lanes> place, velocity;
+    LaneMask following; ///< owners whose touches are followed
+};
 
-} // namespace
+/// One layer of the touches of eight owners.
+struct SurfaceContact::TouchBatch {
+    int layer;
+    unsigned lanes;       ///< owners that have such a touch, a bit each
+    unsigned followed;    ///< those of them that are followed
+    LaneMask over;        ///< owners with a touch that has not ended
+    Lanes s, t, active{}; ///< active: penetration that presses [length]
+    Vector3<Lanes> normal{};
+};
 
 /// Coefficients of friction of a batch; without any, friction is left out.
 struct SurfaceContact::FrictionLanes {
@@ -152,141 +176,31 @@ void SurfaceContact::press(std::size_t begin, std::size_t end, Pressed& pressed)
 
 void SurfaceContact::press_batch(std::size_t owner, std::size_t lanes, Pressed& pressed)
 {
-    Index node[lane_count];
+    NodeBatch nodes;
     LaneValues thickness;
     unsigned followed = 0, in_layer[TouchTable::layers] = {}, ended[TouchTable::layers] = {};
+    nodes.owner = owner;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
         const std::size_t one = owner + std::min(lane, lanes - 1);
-        node[lane] = table_.node(one);
-        thickness.value[lane] = mesh_.nodes[node[lane]].half_thickness;
+        nodes.node[lane] = table_.node(one);
+        thickness.value[lane] = mesh_.nodes[nodes.node[lane]].half_thickness;
         if (lane >= lanes) continue;
         followed |= static_cast<unsigned>(table_.followed(one)) << lane;
         for (int layer = 0; layer < table_.count(one); ++layer) in_layer[layer] |= 1u << lane;
         pressed.touches += table_.count(one);
     }
-    const auto place = points_in_lanes(motion_.position.data(), node);
-    const auto speed = points_in_lanes(motion_.velocity.data(), node);
-    const LaneMask following = mask_of(followed);
-    const Lanes zero{};
-    Vector3<Lanes> node_force{};
-    Lanes node_stiffness{};
+    nodes.half_thickness = thickness.lanes();
+    nodes.place = points_in_lanes(motion_.position.data(), nodes.node);
+    nodes.velocity = points_in_lanes(motion_.velocity.data(), nodes.node);
+    nodes.following = mask_of(followed);
     for (int layer = 0; layer < TouchTable::layers && in_layer[layer] != 0; ++layer) {
-        const LaneMask active = mask_of(in_layer[layer]);
-        const auto row = [&](TouchTable::Field field) { return table_.row(field, layer) + owner; };
-        const auto get = [&](TouchTable::Field field) { return load<Lanes>(row(field)); };
-        const auto get3 = [&](TouchTable::Field field) {
-            return Vector3<Lanes>{get(field), get(TouchTable::Field(field + 1)),
-                                  get(TouchTable::Field(field + 2))};
-        };
-        const FacetLanes facet(mesh_, table_.facets(layer) + owner, in_layer[layer]);
-        const auto corner_point = [&](const std::vector<Vec3>& list, int i) {
-            return points_in_lanes(list.data(), facet.corner[i]);
-        };
-        Lanes s = get(TouchTable::at_s), t = get(TouchTable::at_t), depth{},
-              baseline = get(TouchTable::baseline);
-        Vector3<Lanes> normal{};
-        LaneMask over = active & ~following;
-        if ((followed & in_layer[layer]) != 0) {
-            const SegmentCorners<Lanes> corners{
-                corner_point(motion_.position, 0), corner_point(motion_.position, 1),
-                corner_point(motion_.position, 2), corner_point(motion_.position, 3)};
-            const auto foot = foot_near(place, corners, s, t);
-            normal = get(TouchTable::side) * segment_normal(corners, foot.s, foot.t);
-            const Lanes distance = dot(foot.offset, normal);
-            depth = thickness.lanes() + facet.half_thickness - distance;
-            const LaneMask lost = (distance < -facet.depth) | (depth <= zero);
-            ended[layer] = bits_of(lost) & followed & in_layer[layer];
-            s = following ? foot.s : s;
-            t = following ? foot.t : t;
-            baseline = following ? min(baseline, depth) : baseline;
-            store(row(TouchTable::at_s), s);
-            store(row(TouchTable::at_t), t);
-            store(row(TouchTable::baseline), baseline);
-            over |= active & following & ~lost;
-        }
-        if ((in_layer[layer] & ~followed) != 0) {
-            const auto given = get3(TouchTable::normal_x);
-            const bool some = (followed & in_layer[layer]) != 0;
-            const Lanes own = get(TouchTable::penetration);
-            normal.x = some ? (following ? normal.x : given.x) : given.x;
-            normal.y = some ? (following ? normal.y : given.y) : given.y;
-            normal.z = some ? (following ? normal.z : given.z) : given.z;
-            depth = some ? (following ? depth : own) : own;
-        }
-        if (contact_.constraint) continue; // constrain() finds the forces
-        const auto share = shares_in_lanes(s, t, facet.triangle);
-        Vector3<Lanes> velocity = speed;
-        for (int i = 0; i < 4; ++i) velocity -= share[i] * corner_point(motion_.velocity, i);
-        const Lanes closing = -dot(velocity, normal);
-        unsigned unknown = soft_changed_ ? 0xffu : bits_of(get(TouchTable::stiffness) == zero);
-        unknown |= bits_of(get(TouchTable::weight) < zero);
-        if ((unknown &= in_layer[layer]) != 0) set_stiffness(layer, owner, unknown, facet.facet, normal);
-        const Lanes stiffness = get(TouchTable::weight) * get(TouchTable::stiffness);
-        Lanes force = rounded_force(stiffness, depth - baseline, get(TouchTable::rounding));
-        if (contact_.damping > 0) {
-            LaneValues own, inverse;
-            for (int lane = 0; lane < lane_count; ++lane) {
-                own.value[lane] = mass_[node[lane]];
-                inverse.value[lane] = 0;
-                for (int i = 0; i < 4; ++i) {
-                    const double mass = mass_[facet.corner[i][lane]];
-                    if (mass > 0) inverse.value[lane] += share[i][lane] * share[i][lane] / mass;
-                }
-            }
-            const Lanes other =
-                inverse.lanes() > zero ? 1 / max(inverse.lanes(), broadcast<Lanes>(1e-300)) : zero;
-            const Lanes damping = damping_coefficient(contact_.damping, stiffness, own.lanes(), other);
-            force = force > zero ? max(zero, force + damping * closing) : force;
-        }
-        force = over ? force : zero;
-        Vector3<Lanes> whole = force * normal;
-        if (table_.with_friction()) {
-            const FrictionLanes coefficients = friction_lanes(node, facet.facet);
-            const auto before = get3(TouchTable::friction_x);
-            const auto slip = broadcast<Lanes>(motion_.last_step) * (velocity + closing * normal);
-            Lanes coefficient = coefficients.at_rest;
-            if (coefficients.decays && motion_.last_step > 0) {
-                const Lanes argument = -coefficients.decay * (1 / motion_.last_step) * sqrt(dot(slip, slip));
-                const Lanes decayed =
-                    coefficients.moving + (coefficients.at_rest - coefficients.moving) *
-                                              map_lanes(argument, [](double x) { return std::exp(x); });
-                coefficient = coefficients.decay != zero ? decayed : coefficient;
-            }
-            Lanes limit = contact_.friction_scale * coefficient * force;
-            if (coefficients.capped) limit = min(limit, coefficients.cap);
-            auto friction = friction_force(before, normal, slip, stiffness, limit);
-            const auto any = (coefficients.at_rest > zero) | (coefficients.moving > zero);
-            friction.x = any & over ? friction.x : zero;
-            friction.y = any & over ? friction.y : zero;
-            friction.z = any & over ? friction.z : zero;
-            const Lanes loss = over ? -0.5 * dot(before + friction, slip) : zero;
-            for (int lane = 0; lane < lane_count; ++lane) pressed.friction += loss[lane];
-            store(row(TouchTable::friction_x), friction.x);
-            store(row(TouchTable::friction_y), friction.y);
-            store(row(TouchTable::friction_z), friction.z);
-            whole += friction;
-        }
-        store(row(TouchTable::pressing), force);
-        const Lanes held = over ? stiffness : zero;
-        node_force += whole;
-        node_stiffness += held;
-        Four on_facet[lane_count];
-        lanes_to_fours(-whole, held, on_facet);
-        for (unsigned left = bits_of(over); left != 0; left &= left - 1) {
-            const int lane = std::countr_zero(left);
-            Pressed::OnFacet& one = pressed.on_facets.emplace_back();
-            one.force = on_facet[lane];
-            for (int i = 0; i < 4; ++i) {
-                one.share[i] = share[i][lane];
-                one.corner[i] = facet.corner[i][lane];
-            }
-        }
-    }
-    Four on_node[lane_count];
-    lanes_to_fours(node_force, node_stiffness, on_node);
-    for (unsigned left = in_layer[0]; left != 0; left &= left - 1) {
-        const int lane = std::countr_zero(left);
-        pressed.on_nodes.push_back({on_node[lane], node[lane]});
+        TouchBatch touches;
+        touches.layer = layer;
+        touches.lanes = in_layer[layer];
+        touches.followed = followed & in_layer[layer];
+        const FacetLanes facets(mesh_, table_.facets(layer) + owner, in_layer[layer]);
+        ended[layer] = place_touches(nodes, facets, touches);
+        if (!contact_.constraint) press_touches(nodes, facets, touches, pressed); // else constrain() does
     }
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         unsigned which = 0;
@@ -295,6 +209,150 @@ void SurfaceContact::press_batch(std::size_t owner, std::size_t lanes, Pressed& 
         table_.remove(owner + lane, which);
         search_.pairs().quiet[owner + lane] = 0;
     }
+}
+
+/// Takes touches that have just been found as they are and brings followed ones to where their nodes are now.
+/// Returns which of these have ended.
+unsigned SurfaceContact::place_touches(const NodeBatch& nodes, const FacetLanes& facets, TouchBatch& touches)
+{
+    const auto row = [&](TouchTable::Field field) { return table_.row(field, touches.layer) + nodes.owner; };
+    const auto get = [&](TouchTable::Field field) { return load<Lanes>(row(field)); };
+    const LaneMask following = nodes.following;
+    Lanes baseline = get(TouchTable::baseline);
+    touches.s = get(TouchTable::at_s);
+    touches.t = get(TouchTable::at_t);
+    touches.over = mask_of(touches.lanes);
+    unsigned ended = 0;
+    if (touches.followed != 0) {
+        const auto corner = [&](int i) { return points_in_lanes(motion_.position.data(), facets.corner[i]); };
+        const SegmentCorners<Lanes> corners{corner(0), corner(1), corner(2), corner(3)};
+        const auto foot = foot_near(nodes.place, corners, touches.s, touches.t);
+        touches.normal = get(TouchTable::side) * segment_normal(corners, foot.s, foot.t);
+        const Lanes distance = dot(foot.offset, touches.normal);
+        const Lanes depth = nodes.half_thickness + facets.half_thickness - distance;
+        const LaneMask lost = following & ((distance < -facets.depth) | (depth <= Lanes{}));
+        ended = bits_of(lost) & touches.followed;
+        touches.over &= ~lost;
+        touches.s = following ? foot.s : touches.s;
+        touches.t = following ? foot.t : touches.t;
+        baseline = following ? min(baseline, depth) : baseline;
+        touches.active = depth - baseline;
+        store(row(TouchTable::at_s), touches.s);
+        store(row(TouchTable::at_t), touches.t);
+        store(row(TouchTable::baseline), baseline);
+    }
+    if (touches.followed != touches.lanes) {
+        const Vector3<Lanes> given{get(TouchTable::normal_x), get(TouchTable::normal_y),
+                                   get(TouchTable::normal_z)};
+        touches.normal = choose(following, touches.normal, given);
+        touches.active = following ? touches.active : get(TouchTable::penetration) - baseline;
+    }
+    return ended;
+}
+
+/// Forces of the touches of one layer.
+void SurfaceContact::press_touches(const NodeBatch& nodes, const FacetLanes& facets,
+                                   const TouchBatch& touches, Pressed& pressed)
+{
+    const auto row = [&](TouchTable::Field field) { return table_.row(field, touches.layer) + nodes.owner; };
+    const auto get = [&](TouchTable::Field field) { return load<Lanes>(row(field)); };
+    const Lanes zero{};
+    const Vector3<Lanes>& normal = touches.normal;
+    const auto share = shares_in_lanes(touches.s, touches.t, facets.triangle);
+    Vector3<Lanes> velocity = nodes.velocity;
+    for (int i = 0; i < 4; ++i)
+        velocity -= share[i] * points_in_lanes(motion_.velocity.data(), facets.corner[i]);
+    const Lanes closing = -dot(velocity, normal);
+    unsigned unknown = soft_changed_ ? touches.lanes : bits_of(get(TouchTable::stiffness) == zero);
+    unknown = (unknown | bits_of(get(TouchTable::weight) < zero)) & touches.lanes;
+    if (unknown != 0) set_stiffness(touches.layer, nodes.owner, unknown, facets.facet, normal);
+    Lanes stiffness = get(TouchTable::weight) * get(TouchTable::stiffness);
+    Lanes force = rounded_force(stiffness, touches.active, get(TouchTable::rounding));
+    if (contact_.damping > 0) force = damped(nodes, facets, share, stiffness, closing, force);
+    force = touches.over ? force : zero;
+    stiffness = touches.over ? stiffness : zero;
+    Vector3<Lanes> whole = force * normal;
+    if (table_.with_friction()) {
+        const auto slip = broadcast<Lanes>(motion_.last_step) * (velocity + closing * normal);
+        whole += rubbed(nodes, facets, touches, slip, stiffness, force, pressed.friction);
+    }
+    store(row(TouchTable::pressing), force);
+    // Every node is on the list once; the forces of its second and third touch are added to it there.
+    if (touches.layer == 0) {
+        Pressed::OnNodes& on_nodes = pressed.on_nodes.emplace_back();
+        lanes_to_fours(whole, stiffness, on_nodes.force);
+        std::copy_n(nodes.node, lane_count, on_nodes.node);
+        on_nodes.lanes = touches.lanes;
+    } else {
+        Four more[lane_count];
+        lanes_to_fours(whole, stiffness, more);
+        for (int lane = 0; lane < lane_count; ++lane) pressed.on_nodes.back().force[lane] += more[lane];
+    }
+    Pressed::OnFacets& on_facets = pressed.on_facets.emplace_back();
+    lanes_to_fours(-whole, stiffness, on_facets.force);
+    for (int i = 0; i < 4; ++i) {
+        on_facets.share[i] = share[i];
+        std::copy_n(facets.corner[i], lane_count, on_facets.corner[i]);
+    }
+    on_facets.lanes = bits_of(touches.over);
+}
+
+/// Normal forces with the damping of the contact springs.
+Lanes SurfaceContact::damped(const NodeBatch& nodes, const FacetLanes& facets,
+                             const std::array<Lanes, 4>& share, const Lanes& stiffness, const Lanes& closing,
+                             const Lanes& force) const
+{
+    const Lanes zero{};
+    LaneValues own, inverse;
+    for (int lane = 0; lane < lane_count; ++lane) {
+        own.value[lane] = mass_[nodes.node[lane]];
+        inverse.value[lane] = 0;
+        for (int i = 0; i < 4; ++i) {
+            const double mass = mass_[facets.corner[i][lane]];
+            if (mass > 0) inverse.value[lane] += share[i][lane] * share[i][lane] / mass;
+        }
+    }
+    const Lanes other = inverse.lanes() > zero ? 1 / max(inverse.lanes(), broadcast<Lanes>(1e-300)) : zero;
+    const Lanes damping = damping_coefficient(contact_.damping, stiffness, own.lanes(), other);
+    return force > zero ? max(zero, force + damping * closing) : force;
+}
+
+/// Friction on the nodes; adds what it has taken in the last step to `loss`.
+Vector3<Lanes> SurfaceContact::rubbed(const NodeBatch& nodes, const FacetLanes& facets,
+                                      const TouchBatch& touches, const Vector3<Lanes>& slip,
+                                      const Lanes& stiffness, const Lanes& force, double& loss)
+{
+    const auto row = [&](TouchTable::Field field) { return table_.row(field, touches.layer) + nodes.owner; };
+    const Lanes zero{};
+    const FrictionLanes law = friction_lanes(nodes.node, facets.facet);
+    const Vector3<Lanes> before{load<Lanes>(row(TouchTable::friction_x)),
+                                load<Lanes>(row(TouchTable::friction_y)),
+                                load<Lanes>(row(TouchTable::friction_z))};
+    Lanes coefficient = law.at_rest;
+    if (law.decays && motion_.last_step > 0) {
+        const Lanes speed = (1 / motion_.last_step) * sqrt(dot(slip, slip));
+        const Lanes left = map_lanes(-law.decay * speed, [](double x) { return std::exp(x); });
+        coefficient = law.decay != zero ? law.moving + (law.at_rest - law.moving) * left : coefficient;
+    }
+    Lanes limit = contact_.friction_scale * coefficient * force;
+    if (law.capped) limit = min(limit, law.cap);
+    const LaneMask rubs = touches.over & ((law.at_rest > zero) | (law.moving > zero));
+    const auto friction =
+        choose(rubs, friction_force(before, touches.normal, slip, stiffness, limit), Vector3<Lanes>{});
+    const Lanes lost = touches.over ? -0.5 * dot(before + friction, slip) : zero;
+    for (int lane = 0; lane < lane_count; ++lane) loss += lost[lane];
+    store(row(TouchTable::friction_x), friction.x);
+    store(row(TouchTable::friction_y), friction.y);
+    store(row(TouchTable::friction_z), friction.z);
+    return friction;
+}
+
+void SurfaceContact::Pressed::clear()
+{
+    on_nodes.clear();
+    on_facets.clear();
+    touches = 0;
+    friction = 0;
 }
 
 /// Adds what a chunk of the owners presses with to the sums of the nodes, in the order of the owners.
@@ -306,9 +364,16 @@ void SurfaceContact::sum_up(const Pressed& pressed)
         sum += more;
         std::memcpy(static_cast<void*>(&sum_now_[node]), &sum, sizeof sum);
     };
-    for (const Pressed::OnNode& one : pressed.on_nodes) add(one.node, one.force);
-    for (const Pressed::OnFacet& one : pressed.on_facets)
-        for (int i = 0; i < 4; ++i) add(one.corner[i], one.share[i] * one.force);
+    for (const Pressed::OnNodes& batch : pressed.on_nodes)
+        for (unsigned left = batch.lanes; left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
+            add(batch.node[lane], batch.force[lane]);
+        }
+    for (const Pressed::OnFacets& batch : pressed.on_facets)
+        for (unsigned left = batch.lanes; left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
+            for (int i = 0; i < 4; ++i) add(batch.corner[i][lane], batch.share[i][lane] * batch.force[lane]);
+        }
 }
 
 } // namespace plash

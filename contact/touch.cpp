@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace plash {
 
@@ -68,10 +70,10 @@ void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, Touc
             table.set_followed(owner, true);
             continue;
         }
-        std::array<Touch, TouchTable::layers> old;
-        const int count = table.count(owner);
-        for (int layer = 0; layer < count; ++layer) old[layer] = table.touch(mesh_, motion_, owner, layer);
-        const std::span<const Touch> before(old.data(), count);
+        std::vector<Touch>& before = room.before;
+        before.clear();
+        for (int layer = 0; layer < table.count(owner); ++layer)
+            before.push_back(table.touch(mesh_, motion_, owner, layer));
         std::size_t next = i;
         while (next < near.size() && near[next].node == pairs.owner[owner]) ++next;
         touches.clear();
@@ -86,6 +88,7 @@ void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, Touc
         });
         for (Index pair = pairs.begin[owner]; moved && pair < pairs.begin[owner + 1]; ++pair)
             if (std::isfinite(pairs.due[pair])) pairs.due[pair] = 0;
+        if (moved) pairs.others_due[owner] = 0;
         if (!moved) pairs.quiet[owner] = quiet_until(pairs, owner, near.subspan(i, next - i), touches);
         for (std::size_t layer = 0; pairs.quiet[owner] > now && layer < touches.size(); ++layer) {
             const double along = dot(facet_normal(touches[layer].facet), touches[layer].normal);
@@ -124,6 +127,26 @@ double TouchFinder::wait_for_solid(const Near& near, double gap, bool touches) c
     return std::min(std::max(beside, over), std::sqrt(near.distance2) - std::max(gap, inside));
 }
 
+/// Puts the pairs of an owner first that will be due within the next cycles.
+void TouchFinder::sort_pairs(PairList& pairs, std::size_t owner) const
+{
+    constexpr double cycles = 20;
+    const double soon = motion_.travelled + cycles * motion_.step_range;
+    Index next = pairs.begin[owner];
+    double others = std::numeric_limits<double>::infinity();
+    for (Index pair = next; pair < pairs.begin[owner + 1]; ++pair) {
+        if (pairs.due[pair] > soon) {
+            others = std::min(others, pairs.due[pair]);
+            continue;
+        }
+        std::swap(pairs.facet[pair], pairs.facet[next]);
+        std::swap(pairs.due[pair], pairs.due[next]);
+        ++next;
+    }
+    pairs.close[owner] = next - pairs.begin[owner];
+    pairs.others_due[owner] = others;
+}
+
 /// Goes through the pairs that are due, but for quiet nodes, eight at a time. Facets and their corners lie
 /// where the other body is: they are called for a few batches ahead.
 void TouchFinder::collect_near(PairList& pairs, std::size_t begin, std::size_t end, const TouchTable& table,
@@ -135,7 +158,8 @@ void TouchFinder::collect_near(PairList& pairs, std::size_t begin, std::size_t e
     room.near.clear();
     for (std::size_t owner = begin; owner < end; ++owner) {
         if (pairs.quiet[owner] > now) continue;
-        for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner + 1]; ++pair)
+        if (pairs.others_due[owner] <= now) sort_pairs(pairs, owner);
+        for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner] + pairs.close[owner]; ++pair)
             if (pairs.due[pair] <= now) due.push_back({pair, static_cast<Index>(owner)});
     }
     constexpr std::size_t facets_ahead = 4 * lane_count, corners_ahead = 2 * lane_count;
@@ -152,6 +176,16 @@ void TouchFinder::collect_near(PairList& pairs, std::size_t begin, std::size_t e
         }
         measure(pairs, {due.data() + first, last - first}, table, room.near);
     }
+}
+
+/// Whether a node stands over the face of a solid, if only just: bodies that rest on one another without
+/// pressing have many such nodes.
+bool TouchFinder::in_front(const Near& near, double gap) const
+{
+    const double distance = dot(near.offset, near.normal);
+    if (distance < gap) return false;
+    const double beyond = overhang * mesh_.facets[near.facet].size - gap;
+    return near.feature == 0 || (beyond > 0 && norm(near.offset - distance * near.normal) <= beyond);
 }
 
 /// Closest points of some pairs: keeps those that may touch in this step, and tells the others when they are
@@ -188,7 +222,7 @@ void TouchFinder::measure(PairList& pairs, std::span<const Due> batch, const Tou
         const double wait = facet.one_sided ? wait_for_solid(one, gap, table.count(owner) > 0)
                                             : wait_for_sheet(one, gap, table, owner);
         pairs.due[pair] = motion_.travelled + wait;
-        if (wait <= motion_.step_range) near.push_back(one);
+        if (wait <= motion_.step_range && !(facet.one_sided && in_front(one, gap))) near.push_back(one);
     }
 }
 

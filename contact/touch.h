@@ -42,7 +42,7 @@ public:
         std::vector<Due> due;
         std::vector<Near> near;
         std::vector<const Near*> order;
-        std::vector<Touch> touches;
+        std::vector<Touch> before, touches; ///< of one owner
     };
 
     /// Finds the touches of the owners begin to end anew, but for those of quiet ones, which are marked to be
@@ -56,11 +56,13 @@ private:
 
     void collect_near(PairList& pairs, std::size_t begin, std::size_t end, const TouchTable& table,
                       Room& room) const;
+    void sort_pairs(PairList& pairs, std::size_t owner) const;
     double quiet_until(const PairList& pairs, std::size_t owner, std::span<const Near> near,
                        std::span<const Touch> touches) const;
     double room_of(const Touch& touch, int feature) const;
     bool flat_around(Index facet) const;
     double wait_for_sheet(const Near& near, double gap, const TouchTable& table, std::size_t owner) const;
+    bool in_front(const Near& near, double gap) const;
     double wait_for_solid(const Near& near, double gap, bool touches) const;
     void measure(PairList& pairs, std::span<const Due> batch, const TouchTable& table,
                  std::vector<Near>& near) const;

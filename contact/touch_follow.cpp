@@ -48,10 +48,16 @@ double TouchFinder::room_of(const Touch& touch, int feature) const
 double TouchFinder::quiet_until(const PairList& pairs, std::size_t owner, std::span<const Near> near,
                                 std::span<const Touch> touches) const
 {
-    double until = 1e300;
-    for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner + 1]; ++pair)
-        if (pairs.due[pair] > motion_.travelled + motion_.step_range)
+    const double now = motion_.travelled + motion_.step_range;
+    double until = pairs.others_due[owner];
+    std::size_t due = 0;
+    for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner] + pairs.close[owner]; ++pair) {
+        if (pairs.due[pair] > now)
             until = std::min(until, pairs.due[pair]);
+        else
+            ++due;
+    }
+    if (due > near.size()) return 0; // some are about to begin
     for (const Near& one : near) {
         const auto own = [&](const Touch& touch) { return touch.facet == one.facet; };
         const auto touch = std::find_if(touches.begin(), touches.end(), own);
