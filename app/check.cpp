@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "contact/move_penetrating.h"
 
 #include "parser/read_model.h"
 #include "solver/scene.h"
@@ -156,6 +157,9 @@ void print_text(const ReadResult& result, const CheckOptions& options,
 void set_up_physics(ReadResult& result)
 {
     try {
+        const std::vector<MovedNode> moved = move_penetrating_nodes(result.model);
+        for (const std::string& line : describe(moved, result.model))
+            if (!line.starts_with(' ')) result.report.warning({}, "", "", line);
         const Scene scene = make_scene(result.model);
         for (const auto& term : scene.terms) {
             // The first line says what, lines behind it where.

@@ -2,6 +2,7 @@
 #include "app/picture.h"
 #include "app/progress.h"
 #include "app/run_log.h"
+#include "contact/move_penetrating.h"
 #include "core/run_error.h"
 #include "output/recorders.h"
 #include "output/summary.h"
@@ -177,9 +178,11 @@ int run_deck(const RunArguments& arguments)
 
     const Model& model = read.model;
     std::unique_ptr<Scene> scene;
+    std::vector<MovedNode> moved;
     try {
         for (const std::string& line : translate_fluid(read.model, fluid_choice_of(model, arguments.fluid)))
             log.say(line);
+        moved = move_penetrating_nodes(read.model);
         scene = std::make_unique<Scene>(make_scene(model));
     } catch (const DeckError& error) {
         log.warn(fmt::format("{}: {}", model.place(error.where), error.what()));
@@ -204,6 +207,7 @@ int run_deck(const RunArguments& arguments)
     }
     if (restart_from.empty()) summarise_model(*scene, directory);
 
+    for (const std::string& line : describe(moved, model)) log.say(fmt::format("  {}", line));
     for (const auto& term : scene->terms) {
         for (const std::string& line : term->notices(scene->state)) log.say(fmt::format("  {}", line));
     }

@@ -26,7 +26,7 @@ sheet
 *MAT_PIECEWISE_LINEAR_PLASTICITY
 1,7.85e-9,2.1e5,0.3,300.0,1000.0
 """
-CONTACT = "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2,0.2\n\n{soft}\n"
+CONTACT = "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2,0.2\n\n{soft}\n\n0,1\n"  # IGNORE = 1: the folds stay where they are
 
 
 def strip(place, columns, rows, closed):

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/move_penetrating.h"
 #include "parser/read_model.h"
 #include "solver/explicit_loop.h"
 #include "solver/scene.h"
@@ -19,6 +20,7 @@ namespace plash::testing {
 /// A deck that has been read and set up; Watch terms may be added before it runs.
 struct DeckRun {
     std::unique_ptr<ReadResult> read;
+    std::vector<MovedNode> moved; ///< out of surfaces before the start
     std::unique_ptr<Scene> scene;
     Outcome outcome;
 
@@ -29,7 +31,9 @@ struct DeckRun {
         read = std::make_unique<ReadResult>(read_model(folder / "deck.k"));
         EXPECT_TRUE(read->ok) << messages();
         EXPECT_TRUE(unsupported_keywords(read->report).empty()) << messages();
-        if (read->ok) scene = std::make_unique<Scene>(make_scene(read->model));
+        if (!read->ok) return;
+        moved = move_penetrating_nodes(read->model);
+        scene = std::make_unique<Scene>(make_scene(read->model));
     }
 
     std::string messages() const
