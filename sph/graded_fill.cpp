@@ -77,20 +77,11 @@ public:
     void for_pairs(Pair&& pair) const
     {
         for (const NeighbourRun& run : runs_) {
-            const std::uint16_t *inside = run.inside.data(), *outside = run.outside.data();
-            for (Index i = 0; i < run.length(); ++i) {
-                const Index a = run.begin + i;
-                for (int k = 0; k < run.batches[i].inside * lane_count; ++k) {
-                    const Index b = run.begin + *inside++;
-                    if (a == b) continue;
-                    pair(a, b);
-                    pair(b, a);
-                }
-                for (int k = 0; k < run.batches[i].outside * lane_count; ++k) {
-                    const Index b = run.halo[*outside++];
-                    if (a != b) pair(a, b);
-                }
-            }
+            for_listed(run, [&](Index a, Index b, bool inside) {
+                if (a == b) return;
+                pair(a, b);
+                if (inside) pair(b, a);
+            });
         }
     }
 

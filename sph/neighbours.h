@@ -50,6 +50,21 @@ struct NeighbourRun {
     void serialise(Archive& archive) { archive(begin, end, batches, inside, outside, halo); }
 };
 
+/// visit(place, other, inside) for each entry of a run's lists: an inside pair stands once, any other with
+/// each of its particles that are awake. Batches are filled up with the particle itself.
+template <class Visit>
+void for_listed(const NeighbourRun& run, Visit&& visit)
+{
+    const std::uint16_t* inside = run.inside.data();
+    const std::uint16_t* outside = run.outside.data();
+    for (Index i = 0; i < run.length(); ++i) {
+        for (int k = 0; k < run.batches[i].inside * lane_count; ++k)
+            visit(run.begin + i, run.begin + *inside++, true);
+        for (int k = 0; k < run.batches[i].outside * lane_count; ++k)
+            visit(run.begin + i, run.halo[*outside++], false);
+    }
+}
+
 /// Longest run; offsets in a run fit sixteen bits. A run whose halo would not fit them is cut in halves.
 inline constexpr Index longest_run = 8192;
 

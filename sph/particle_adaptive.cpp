@@ -165,26 +165,15 @@ void ParticleBody::follow_solids(State& state) const
 void ParticleBody::find_pressed()
 {
     pressed_.clear();
-    const auto& bonded = arrays_.bonded;
     std::vector<std::uint8_t> found(real_count_, images_.any() ? 1 : 0); // images are neighbours too
     for (const NeighbourRun& run : runs_) {
-        const std::uint16_t* inside = run.inside.data();
-        const std::uint16_t* outside = run.outside.data();
-        for (Index i = 0; i < run.length(); ++i) {
-            const Index place = run.begin + i;
-            for (int k = 0; k < run.batches[i].inside * lane_count; ++k) {
-                const Index other = run.begin + *inside++;
-                if (other != place) found[place] = found[other] = 1;
-            }
-            for (int k = 0; k < run.batches[i].outside * lane_count; ++k) {
-                const Index other = run.halo[*outside++];
-                if (other == place || other >= arrays_.real_count()) continue;
-                found[place] = found[other] = 1;
-            }
-        }
+        for_listed(run, [&](Index place, Index other, bool) {
+            if (other == place || other >= arrays_.real_count()) return;
+            found[place] = found[other] = 1;
+        });
     }
     for (Index place : bonded_places_)
-        if (bonded[place] && found[place]) pressed_.push_back(place);
+        if (found[place]) pressed_.push_back(place);
 }
 
 /// Mean stresses of the solids that hold pressed particles.

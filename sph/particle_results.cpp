@@ -35,20 +35,11 @@ std::vector<int> ParticleBody::count_neighbours() const
         return a != b && dot(apart, apart) < reach * reach;
     };
     for (const NeighbourRun& run : runs_) {
-        const std::uint16_t* inside = run.inside.data();
-        const std::uint16_t* outside = run.outside.data();
-        for (Index i = 0; i < run.length(); ++i) {
-            const Index p = run.begin + i;
-            for (int k = 0; k < run.batches[i].inside * lane_count; ++k) {
-                const Index other = run.begin + *inside++;
-                if (!touches(p, other)) continue;
-                ++count[p];
-                ++count[other];
-            }
-            for (int k = 0; k < run.batches[i].outside * lane_count; ++k) {
-                count[p] += touches(p, run.halo[*outside++]);
-            }
-        }
+        for_listed(run, [&](Index p, Index other, bool inside) {
+            if (!touches(p, other)) return;
+            ++count[p];
+            if (inside) ++count[other];
+        });
     }
     return count;
 }

@@ -59,8 +59,8 @@ TEST(CompositeWing, EndsNearLsDyna)
     EXPECT_NEAR(wing.wing_displacement, 162.4, 0.05 * 162.4);
 }
 
-/// Wanted within 2 % of LS-DYNA's 91,260.6; measured 87,421 (-4.2 %), and 87,012 to 88,158 with other orders of
-/// the sums.
+/// Wanted within 2 % of LS-DYNA's 91,260.6; measured 87,421 (-4.2 %), and 87,012 to 88,158 with other orders
+/// of the sums.
 TEST(CompositeWing, DISABLED_SlowsTheBirdAsLsDyna)
 {
     const auto deck = testing::shared_file("decks/targets/sph_bird_on_composite_wing/input.k");
