@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace plash {
 namespace {
@@ -97,6 +98,7 @@ void make_stand_ins(Reading& reading)
     Id next_id = 1;
     for (Id id : model.nodes.id) next_id = std::max(next_id, id + 1);
     std::vector<bool> replaced(model.solids.size());
+    std::map<Index, StandIns::Bond> bonds; // by part of particles
     for (const PendingStandIns& pending : reading.pending_stand_ins) {
         const Record& record = pending.record;
         StandIns stand_ins;
@@ -114,6 +116,9 @@ void make_stand_ins(Reading& reading)
             reading.error(record, "IPSPH", "the new particles need a part");
             continue;
         }
+        if (bonds.emplace(particles, stand_ins.bond).first->second != stand_ins.bond)
+            reading.error(record, "ICPL",
+                          "the particles of one part are all bonded in one way, or not at all");
         if (const Index section = reading.find(record, "ISSPH", Kind::section); section != none)
             model.parts[particles].section = section;
         std::vector<bool> wanted(model.parts.size());
