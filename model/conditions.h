@@ -57,8 +57,9 @@ struct FixedNodes {
 
 /// *BOUNDARY_PRESCRIBED_MOTION: one degree of freedom of some nodes follows scale * curve(t - birth).
 struct PrescribedMotion {
-    /// The last one: velocity as a function of the displacement so far (VAD = 3).
-    enum class Kind { velocity, acceleration, displacement, velocity_of_displacement };
+    /// The last two: velocity as a function of the displacement so far (VAD = 3), and displacement of a rigid
+    /// body from another one (VAD = 4).
+    enum class Kind { velocity, acceleration, displacement, velocity_of_displacement, relative_displacement };
     std::vector<Index> nodes;
     Index rigid_part = none;    ///< _RIGID: number of the body that is driven, and `nodes` is empty
     Vec3 direction{};           ///< unit vector of the freedom
@@ -68,6 +69,10 @@ struct PrescribedMotion {
     bool orbit = false;         ///< DOF 9 to 11: nodes go round the axis through `center` along `direction`
     Vec3 center{};
     Kind kind = Kind::velocity;
+    Index lead = none; ///< VAD = 4: number of the body from which the displacement is measured
+    /// VAD = 4: it is measured along the way from the first to the second of these nodes; none: along the
+    /// line between the mass centers.
+    std::array<Index, 2> line{none, none};
     Index curve = none;
     double scale = 1;
     double birth = 0;

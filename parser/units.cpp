@@ -446,6 +446,7 @@ std::optional<CurveDimensions> curve_dimensions_of(std::string_view keyword, std
         if (kind == 3)
             return rotation ? CurveDimensions{number, rate, number}
                             : CurveDimensions{length, velocity, number};
+        if (kind == 4) return CurveDimensions{duration, length, number};
         if (kind < 0 || kind > 2) return std::nullopt;
         const Dimension along[] = {velocity, acceleration, length},
                         about[] = {rate, angular_acceleration, number};

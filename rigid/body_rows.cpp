@@ -62,6 +62,10 @@ BodyRows::Gradient BodyRows::gradient_of(const BodyRow& row, const Pose& first, 
         const Vec3 normal = cross(a1, a2);
         return {{}, normal, {}, -normal};
     }
+    if (row.kind == BodyRow::Kind::distance) {
+        const Vec3 along = unit(second.center - first.center);
+        return {-along, {}, along, {}};
+    }
     const Vec3 r2 = second.orientation * row.arm2;
     const double slide = row.kind == BodyRow::Kind::point ? 1 : row.slide;
     if (slide != 0) {
@@ -106,7 +110,7 @@ void BodyRows::linearise(const std::vector<RigidBody>& bodies)
         const BodyRow& row = rows[i];
         const Gradient& g = gradients_[i];
         Vec3 moved[2]{}, turned[2]{}; // what a unit impulse of this row does to its bodies
-        if (row.first != none) {
+        if (row.first != none && !row.one_sided) {
             moved[0] = linear_mobility_[row.first] * g.linear1;
             turned[0] = angular_mobility_[row.first] * g.angular1;
         }
@@ -120,10 +124,11 @@ void BodyRows::linearise(const std::vector<RigidBody>& bodies)
             double sum = 0;
             const auto add = [&](Index body, int side) {
                 if (body == none) return;
-                if (other.first == body) sum += dot(h.linear1, moved[side]) + dot(h.angular1, turned[side]);
+                if (other.first == body && !other.one_sided)
+                    sum += dot(h.linear1, moved[side]) + dot(h.angular1, turned[side]);
                 if (other.second == body) sum += dot(h.linear2, moved[side]) + dot(h.angular2, turned[side]);
             };
-            add(row.first, 0);
+            if (!row.one_sided) add(row.first, 0);
             add(row.second, 1);
             matrix_[begin_[i] + j - first_column_[i]] = sum;
         }
@@ -192,7 +197,7 @@ void BodyRows::solve(std::vector<double>& values) const
 void BodyRows::apply(std::size_t i, double impulse, std::vector<RigidBody>& bodies) const
 {
     const Gradient& g = gradients_[i];
-    if (const Index body = rows[i].first; body != none) {
+    if (const Index body = rows[i].first; body != none && !rows[i].one_sided) {
         bodies[body].velocity += impulse * (linear_mobility_[body] * g.linear1);
         bodies[body].angular_momentum += impulse * g.angular1;
     }
@@ -210,6 +215,7 @@ double BodyRows::end_error(const BodyRow& row, const std::vector<RigidBody>& bod
         return rate_of(g, row, bodies) - row.target;
     }
     const Pose first = pose(row.first, end_), second = pose(row.second, end_);
+    if (row.kind == BodyRow::Kind::distance) return (norm(second.center - first.center) - row.target) / step;
     const Vec3 a1 = first.orientation * row.axis1;
     double value = 0;
     if (row.kind == BodyRow::Kind::angle) {
@@ -230,6 +236,9 @@ void BodyRows::satisfy(std::vector<RigidBody>& bodies, const Clock& clock)
         rows[i].impulse = dropped_[i] ? 0 : span * rows[i].impulse;
         if (rows[i].impulse != 0) apply(i, rows[i].impulse, bodies);
     }
+    // One-sided rows learn of their first bodies' impulses a round later, one after the other at worst.
+    const auto late =
+        std::count_if(rows.begin(), rows.end(), [](const BodyRow& row) { return row.one_sided; });
     double last_largest = 0;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -249,7 +258,7 @@ void BodyRows::satisfy(std::vector<RigidBody>& bodies, const Clock& clock)
             largest = std::max(largest, std::abs(error_[i]) / (norm(g.linear2) + norm(g.angular2) + 1e-300));
         }
         // At round-off the errors stop falling.
-        if (largest == 0 || (iteration > 0 && largest > 0.25 * last_largest)) break;
+        if (largest == 0 || (iteration > late && largest > 0.25 * last_largest)) break;
         last_largest = largest;
         solve(error_);
         for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -11,14 +11,15 @@ namespace plash {
 /// is the ground, whose axes are the global ones and whose center is the origin.
 ///
 /// Position conditions hold at n+1:
-///   point   axis1 . (place of arm2 - place of arm1) = target
-///   angle   axis1 . axis2 = target
+///   point     axis1 . (place of arm2 - place of arm1) = target
+///   distance  |center 2 - center 1| = target
+///   angle     axis1 . axis2 = target
 /// Rate conditions hold over the step from n to n+1, with directions of mid-step:
 ///   rate    slide axis1 . (velocity of arm2 past body 1) + turn axis1 . (omega2 - omega1)
 ///           + turn2 axis2 . (omega2 - omega1) + spin1 axis1 . omega1 + spin2 axis2 . omega2 + run2 axis2 .
 ///           (velocity of arm2) = target
 struct BodyRow {
-    enum class Kind { point, angle, rate };
+    enum class Kind { point, distance, angle, rate };
     Kind kind = Kind::point;
     Index first = none, second = none;
     Vec3 arm1{}, arm2{};   ///< in the axes of their bodies, from the centers
@@ -26,8 +27,9 @@ struct BodyRow {
     double target = 0;
     double slide = 0, turn = 0, turn2 = 0, spin1 = 0, spin2 = 0, run2 = 0;
     bool active = true;
-    bool dead = false;  ///< one of its bodies is no more (a failed weld)
-    double impulse = 0; ///< of the last step, along the condition: the next step starts from it
+    bool one_sided = false; ///< the second body alone is pushed; the first goes its own way
+    bool dead = false;      ///< one of its bodies is no more (a failed weld)
+    double impulse = 0;     ///< of the last step, along the condition: the next step starts from it
 };
 
 /// Finds the impulses that make bodies keep their conditions, by Newton's method on the end of the step:

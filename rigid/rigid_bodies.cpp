@@ -2,6 +2,7 @@
 
 #include "core/parallel.h"
 #include "core/prescribed_rate.h"
+#include "core/run_error.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -64,7 +65,7 @@ void RigidBodies::constrain(const Clock& clock, State& state)
         before_[i] = {bodies_[i].velocity, bodies_[i].angular_velocity, bodies_[i].angular_momentum};
     take_forces(clock, state);
     if (!rows_.empty()) {
-        set_targets(clock);
+        set_targets(clock, state);
         rows_.satisfy(bodies_, clock);
         book_rows(clock);
     }
@@ -207,13 +208,40 @@ void RigidBodies::add_missing_weight(const Clock& clock, RigidBody& body, Sums& 
     body.last_body_load = acceleration;
 }
 
-void RigidBodies::set_targets(const Clock& clock)
+/// Displacement from another body (VAD = 4): the distance at the birth and what the curve adds to it, at n+1.
+void RigidBodies::set_relative_target(const Clock& clock, const State& state, Drive& drive)
+{
+    const PrescribedMotion& motion = drive.motion;
+    BodyRow& row = rows_.rows[drive.row];
+    const RigidBody &lead = bodies_[row.first], &body = bodies_[row.second];
+    const Vec3 apart = body.center - lead.center;
+    Vec3& direction = drive.motion.direction;
+    direction = motion.line[0] == none
+                    ? unit(apart)
+                    : unit(state.position[motion.line[1]] - state.position[motion.line[0]]);
+    row.axis1 = transpose(lead.orientation) * direction;
+    if (!drive.born) drive.travelled = dot(apart, direction);
+    drive.born = true;
+    const double time = clock.time + clock.step - motion.birth;
+    row.target = drive.travelled + motion.scale * curve_value(model_, motion.curve, time);
+    if (row.kind == BodyRow::Kind::distance && !(row.target > 0)) {
+        throw RunError(
+            fmt::format("the prescribed displacement brings the mass centers of the rigid bodies {} "
+                        "and {} together; along two nodes (NODE1, NODE2) they may pass",
+                        model_.body_id(body.number), model_.body_id(lead.number)));
+    }
+}
+
+void RigidBodies::set_targets(const Clock& clock, const State& state)
 {
     for (Drive& drive : drives_) {
         BodyRow& row = rows_.rows[drive.row];
         row.active = clock.time >= drive.motion.birth && clock.time <= drive.motion.death &&
                      acts_now(model_, drive.motion.curve, clock);
-        if (row.active)
+        if (!row.active) continue;
+        if (drive.motion.kind == PrescribedMotion::Kind::relative_displacement)
+            set_relative_target(clock, state, drive);
+        else
             row.target = prescribed_rate(model_, drive.motion, clock, drive.rate, drive.travelled);
     }
     for (Support& support : supports_)
@@ -228,7 +256,8 @@ void RigidBodies::book_rows(const Clock& clock)
         const BodyRow& row = rows_.rows[drive.row];
         const double last_rate = drive.rate;
         drive.force = row.active ? row.impulse * per_impulse : 0;
-        if (row.active) {
+        const bool relative = drive.motion.kind == PrescribedMotion::Kind::relative_displacement;
+        if (row.active && !relative) {
             drive.rate = row.target;
         } else if (!drive.motor) {
             const RigidBody& body = bodies_[drive.body];
@@ -323,7 +352,7 @@ void RigidBodies::serialise(Archive& archive)
                 body.acceleration, body.last_body_load, body.angular_acceleration, body.acceleration_of_node);
     }
     for (BodyRow& row : rows_.rows) archive(row.impulse, row.target, row.active, row.dead);
-    for (Drive& drive : drives_) archive(drive.travelled, drive.rate, drive.force, drive.work);
+    for (Drive& drive : drives_) archive(drive.travelled, drive.born, drive.rate, drive.force, drive.work);
     for (Support& support : supports_) archive(support.force);
     for (Load& load : loads_) archive(load.last_magnitude, load.work, load.last_direction);
     for (JointSpring& spring : springs_) archive(spring);

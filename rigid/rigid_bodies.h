@@ -43,12 +43,13 @@ private:
     struct Drive {
         PrescribedMotion motion;
         std::size_t row;
-        Index body;         ///< that is reported
-        bool motor = false; ///< of a joint
-        Index joint = none; ///< position in joints_
-        double travelled = 0;
-        double rate = 0;  ///< over the last step
-        double force = 0; ///< along or about the direction that drives the body at n [force] or [moment]
+        Index body;           ///< that is reported
+        bool motor = false;   ///< of a joint
+        Index joint = none;   ///< position in joints_
+        double travelled = 0; ///< VAD = 4: how far the bodies were apart at the birth
+        bool born = false;    ///< VAD = 4: that is known
+        double rate = 0;      ///< over the last step
+        double force = 0;     ///< along or about the direction that drives the body at n [force] or [moment]
         WorkSum work;
     };
     /// A node of a body that the deck holds (*BOUNDARY_SPC).
@@ -101,7 +102,8 @@ private:
     void release(Index body, State& state);
     void take_forces(const Clock& clock, const State& state);
     void add_missing_weight(const Clock& clock, RigidBody& body, Sums& sums);
-    void set_targets(const Clock& clock);
+    void set_targets(const Clock& clock, const State& state);
+    void set_relative_target(const Clock& clock, const State& state, Drive& drive);
     void book_rows(const Clock& clock);
     void move(const Clock& clock, State& state, RigidBody& body, const Motion& before);
 };

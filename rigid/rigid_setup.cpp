@@ -93,7 +93,17 @@ void RigidBodies::add_drives(const std::vector<Index>& of_number)
         BodyRow row;
         row.kind = BodyRow::Kind::rate;
         row.second = body;
-        if (motion.local) {
+        if (motion.kind == PrescribedMotion::Kind::relative_displacement) {
+            row.kind = motion.line[0] == none ? BodyRow::Kind::distance : BodyRow::Kind::point;
+            row.first = body_of(motion.lead, of_number, motion.where);
+            row.one_sided = true;
+            row.active = false;
+            if (row.kind == BodyRow::Kind::distance &&
+                norm(bodies_[body].center - bodies_[row.first].center) == 0) {
+                throw DeckError(motion.where, "the mass centers of both rigid bodies are one point: a "
+                                              "displacement between them needs a direction, NODE1 and NODE2");
+            }
+        } else if (motion.local) {
             const auto& local = bodies_[body].local_axes;
             const Vec3& d = motion.direction;
             row.axis2 = d.x * local[0] + d.y * local[1] + d.z * local[2];

@@ -158,6 +158,28 @@ bool direction_of(const Record& record, PrescribedMotion& motion, Reading& readi
     return false;
 }
 
+/// VAD = 4: the body of the card keeps a distance from a lead body. False after an error.
+bool read_relative_motion(const Record& record, PrescribedMotion& motion, Reading& reading)
+{
+    if (motion.rigid_part == none || motion.local) {
+        reading.error(record, "VAD", "4 (displacement from another rigid body) is for _RIGID alone");
+        return false;
+    }
+    motion.lead = reading.find_body(record.integer("LRB"));
+    if (motion.lead == none) return false;
+    if (motion.lead == motion.rigid_part) {
+        reading.error(record, "LRB", fmt::format("{} is the driven body itself", record.integer("LRB")));
+        return false;
+    }
+    motion.line = {reading.find(record, "NODE1", Kind::node), reading.find(record, "NODE2", Kind::node)};
+    if ((motion.line[0] == none) != (motion.line[1] == none) ||
+        (motion.line[0] != none && motion.line[0] == motion.line[1])) {
+        reading.error(record, "NODE2", "a direction needs two different nodes, NODE1 and NODE2, or none");
+        return false;
+    }
+    return true;
+}
+
 void read_prescribed_motion(const Record& record, const Block&, Reading& reading)
 {
     PrescribedMotion motion;
@@ -169,16 +191,17 @@ void read_prescribed_motion(const Record& record, const Block&, Reading& reading
     } else {
         motion.nodes = nodes_of(record, reading);
     }
-    if (!direction_of(record, motion, reading)) return;
     const Id kind = record.integer("VAD");
-    if (kind < 0 || kind > 3) {
+    if (kind < 0 || kind > 4) {
         reading.error(
             record, "VAD",
             fmt::format("{} is not supported; 0 velocity, 1 acceleration, 2 displacement, 3 velocity "
-                        "as a function of displacement",
+                        "as a function of displacement, 4 displacement from another rigid body",
                         kind));
         return;
     }
+    if (!(kind == 4 ? read_relative_motion(record, motion, reading) : direction_of(record, motion, reading)))
+        return;
     motion.kind = static_cast<PrescribedMotion::Kind>(kind);
     motion.curve = reading.find(record, "LCID", Kind::curve);
     if (motion.curve == none && record.integer("LCID") == 0)

@@ -356,4 +356,59 @@ TEST(RigidDecks, JointScrewFollowsItsPitch)
     EXPECT_LT(scene.ledger.balance_error(), 0.02);
 }
 
+namespace {
+
+/// The second cube (center at (3.5, 0.5, 0.5), the first one's at (0.5, 0.5, 0.5)) displaced from the first
+/// by 0.5 t + t^2 / 2, the first driven about z and along y.
+std::string relative_motion(const std::string& card)
+{
+    return with_card(cubes, "0,0,0") +
+           "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,7,0,1,0.4\n1,2,0,1,2.0\n2,0,4,3,2.0\n" + card +
+           "\n*DEFINE_CURVE\n3\n0.0,0.0\n0.25,0.078125\n0.5,0.1875\n1.0,0.5\n*END\n";
+}
+
+} // namespace
+
+/// VAD = 4 along the line between the mass centers: their distance is the first one and twice the curve, to
+/// round-off, wherever the lead body goes; the lead body is not pushed, and all work comes from outside.
+TEST(RigidDecks, KeepsADistanceFromAnotherBody)
+{
+    DeckRun run(relative_motion("0.0,0.0,1"));
+    ASSERT_EQ(run.error, "");
+    ASSERT_EQ(run.outcome.termination, Outcome::Termination::normal) << run.outcome.message;
+    const auto& bodies = run.bodies();
+    // After the last step bodies stand at n+1 already: the curve goes on with its last value.
+    EXPECT_NEAR(norm(bodies[1].center - bodies[0].center), 3 + 2 * 0.5, 1e-12);
+    EXPECT_NEAR(bodies[0].center.y, 0.5 + 2.0 * (run.outcome.clock.time + run.outcome.clock.step), 1e-9);
+    EXPECT_NEAR(bodies[0].velocity.x, 0, 1e-12);
+    EXPECT_NEAR(bodies[0].angular_velocity.z, 0.4, 1e-12);
+    EXPECT_EQ(norm(bodies[1].angular_velocity), 0); // pushed at its center
+    EXPECT_LT(run.scene->ledger.balance_error(), 1e-3);
+}
+
+/// Along two nodes of the lead body, which turn with it: the other freedoms of the driven body are free.
+TEST(RigidDecks, IsDisplacedAlongTwoNodesOfAnotherBody)
+{
+    DeckRun run(relative_motion("0.0,0.0,1,1,4")); // y of the first cube
+    ASSERT_EQ(run.error, "");
+    ASSERT_EQ(run.outcome.termination, Outcome::Termination::normal) << run.outcome.message;
+    const auto& bodies = run.bodies();
+    const Vec3 along = bodies[0].orientation * Vec3{0, 1, 0};
+    EXPECT_NEAR(dot(bodies[1].center - bodies[0].center, along), 2 * 0.5, 1e-12);
+    EXPECT_NEAR(bodies[0].angular_velocity.z, 0.4, 1e-12);
+    EXPECT_LT(run.scene->ledger.balance_error(), 1e-3);
+}
+
+TEST(RigidDecks, RefusesARelativeMotionWithoutAWayToGo)
+{
+    const auto message = [](const std::string& card, const std::string& cards) {
+        std::string deck = relative_motion(card);
+        if (!cards.empty()) deck.replace(deck.find("2,0,4,3,2.0"), 11, cards);
+        return DeckRun(deck).error;
+    };
+    EXPECT_NE(message("0.0,0.0,2", "").find("LRB: 2 is the driven body itself"), std::string::npos)
+        << message("0.0,0.0,2", "");
+    EXPECT_NE(message("0.0,0.0,1,5,5", "").find("needs two different nodes"), std::string::npos);
+}
+
 } // namespace plash
