@@ -7,16 +7,6 @@ namespace plash {
 
 namespace {
 
-double filled(const Fluid& fluid, std::ptrdiff_t place, unsigned fluids)
-{
-    double sum = 0;
-    for (std::size_t g = 0; g < fluid.groups.size(); ++g) {
-        const AlignedDoubles& fraction = fluid.fields.groups[g].fraction;
-        if (fluids >> g & 1) sum += fraction.empty() ? 1 : fraction[place];
-    }
-    return sum;
-}
-
 /// How far the foremost corner of a face stands before the plane of a point [length].
 double foremost(const Vec3& origin, const std::array<Vec3, 3>& edges, int face, const DryFaces::Point& point)
 {
@@ -45,17 +35,27 @@ bool is_dry(const Vec3& origin, const std::array<Vec3, 3>& edges, int face,
 
 } // namespace
 
+double filled_share(const Fluid& fluid, std::ptrdiff_t place, unsigned fluids)
+{
+    double sum = 0;
+    for (std::size_t g = 0; g < fluid.groups.size(); ++g) {
+        const AlignedDoubles& fraction = fluid.fields.groups[g].fraction;
+        if (fluids >> g & 1) sum += fraction.empty() ? 1 : fraction[place];
+    }
+    return sum;
+}
+
 void DryFaces::add_cell(const Fluid& fluid, const Point& point, unsigned fluids)
 {
     const std::ptrdiff_t place = fluid.place_of(point.place);
     if (entry_[place] != none) return;
-    const double own = filled(fluid, place, fluids);
+    const double own = filled_share(fluid, place, fluids);
     if (!(own > 0)) return;
     Cell cell{place, point.position, fluid.edges(point.place), {}, {}};
     bool any_open = false;
     for (int face = 0; face < 6; ++face) {
         const std::ptrdiff_t beyond = fluid.cell_beyond(point.place, face / 2, face % 2);
-        cell.open[face] = beyond >= 0 && filled(fluid, beyond, fluids) < 0.5 * own;
+        cell.open[face] = beyond >= 0 && filled_share(fluid, beyond, fluids) < 0.5 * own;
         any_open = any_open || cell.open[face];
     }
     if (!any_open) return;

@@ -4,6 +4,9 @@
 
 namespace plash {
 
+/// Sum of the fractions of these fluids (bit g for fluid g) in a cell.
+double filled_share(const Fluid& fluid, std::ptrdiff_t place, unsigned fluids);
+
 /// Finds the faces behind a coupled surface through which its fluid may not leave the cells that the surface
 /// cuts. Penalty springs hold the fluid at the surface itself, between the nodes of the cut cell; its nodes
 /// behind the surface are held through their share of the springs alone, and whatever they move carries fluid

@@ -1,6 +1,5 @@
 #include "ale/coupling/fluid_coupling.h"
 
-#include "ale/plane_in_cell.h"
 #include "core/parallel.h"
 #include "core/prescribed_rate.h"
 
@@ -59,6 +58,7 @@ FluidCoupling::FluidCoupling(const Model& model, CouplingOptions options, Surfac
       load_(fluid.fluid().fields.node_mass.size()),
       structure_load_(position.size()),
       dry_faces_(fluid.fluid()),
+      interface_depth_(fluid.fluid()),
       entry_(fluid.fluid().fields.node_mass.size(), none)
 {
     for (const DeckGroup& group : fluid.groups().groups)
@@ -96,18 +96,7 @@ double FluidCoupling::share_behind(const MeshPoint& at, const Vec3& normal) cons
     for (const GroupFields& group : fluid.fields.groups)
         filled += group.fraction.empty() ? 1 : group.fraction[cell];
     if (filled >= 1) return 0;
-    const std::array<Vec3, 3> edges = fluid.edges(at);
-    double along[3], slope[3], sum = 0, distance = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        along[axis] = dot(normal, edges[axis]);
-        sum += slope[axis] = std::abs(along[axis]);
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        slope[axis] /= sum;
-        distance += slope[axis] * (along[axis] > 0 ? at.part[axis] : 1 - at.part[axis]);
-    }
-    const double behind = volume_below_plane(Vec3{slope[0], slope[1], slope[2]}, distance);
-    return std::max(filled - (1 - behind), 0.0);
+    return std::max(filled - share_before_plane(fluid.edges(at), at.part, normal), 0.0);
 }
 
 void FluidCoupling::look(std::size_t point, const Clock& clock, const State& state)
@@ -154,6 +143,7 @@ void FluidCoupling::look(std::size_t point, const Clock& clock, const State& sta
     const double damping = options_.stiffest ? 1 : options_.damping;
     touch.stiffness = penalty * stiffness * touch.area / length;
     touch.damper = 2 * damping * std::sqrt(touch.stiffness * 0.5 * density * touch.area * length);
+    touch.sound_rate = std::sqrt(stiffness / density) / length;
     touch.velocity = motion.velocity;
     touch.excess = options_.leak_control > 0 ? length * share_behind(at, touch.normal) : 0;
     touch.active = true;
@@ -224,6 +214,25 @@ void FluidCoupling::limit_stiffness(const State& state)
             for_corners(point, [&](Index node, double) { structure_load_[node] = 0; });
 }
 
+/// Penetrations tend to what the volumes of the fluid say: in the time in which sound crosses 50 cells where
+/// the fluid stands further behind, and ten times as slowly where it stands less far, so that the pressures
+/// of an impact stay. A surface neither pulls a fluid that has not come up to it, nor lets one go that it
+/// pulls.
+void FluidCoupling::correct_depth(double& depth, const Touch& touch, const Clock& clock) const
+{
+    std::optional<double> behind;
+    if (!present_.empty())
+        behind = interface_depth_.behind(fluid_.fluid(), {touch.place, touch.position, touch.normal},
+                                         options_.fluids);
+    if (behind) {
+        const double wanted = depth > 0 ? std::max(*behind, 0.0) : std::min(*behind, 0.0);
+        const double cells_of_sound = wanted > depth ? 50 : 500;
+        depth += std::min(touch.sound_rate * clock.last_step / cells_of_sound, 1.0) * (wanted - depth);
+    }
+    if (options_.leak_control > 0)
+        depth += options_.leak_control * (behind ? std::max(*behind, 0.0) : touch.excess);
+}
+
 void FluidCoupling::stretch(std::size_t point, const Clock& clock)
 {
     Touch& touch = touches_[point];
@@ -237,7 +246,7 @@ void FluidCoupling::stretch(std::size_t point, const Clock& clock)
     const double normal_speed = dot(touch.approach, touch.normal);
     double& depth = penetration_[point];
     depth += normal_speed * clock.last_step;
-    depth += options_.leak_control * touch.excess;
+    correct_depth(depth, touch, clock);
     touch.pressing = touch.stiffness * depth + touch.damper * normal_speed;
     if (options_.pressure_curve != none)
         touch.pressing = touch.area * curve_value(model_, options_.pressure_curve, depth);
@@ -322,6 +331,7 @@ void FluidCoupling::find_dry_faces()
     for (const Touch& touch : touches_)
         if (touch.place.inside) present_.push_back({touch.place, touch.position, touch.normal});
     dry_faces_.find(fluid_.fluid(), present_, options_.fluids);
+    interface_depth_.collect(fluid_.fluid(), present_);
 }
 
 /// In the order of the points, so that sums are the same for any number of threads.

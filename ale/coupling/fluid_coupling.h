@@ -2,7 +2,7 @@
 
 #include "ale/coupling/coupling_options.h"
 #include "ale/coupling/coupling_points.h"
-#include "ale/coupling/dry_faces.h"
+#include "ale/coupling/interface_depth.h"
 #include "core/term.h"
 
 #include <memory>
@@ -37,18 +37,19 @@ public:
 private:
     /// What is known of a point in this cycle.
     struct Touch {
-        MeshPoint place;      ///< in the mesh
-        Vec3 position;        ///< [length]
-        PlaceWeights at;      ///< nodes of the fluid; weights without empty nodes
-        Vec3 normal;          ///< unit, into the fluid
-        double area = 0;      ///< [length^2]
-        double stiffness = 0; ///< spring of the point [force/length]
-        double damper = 0;    ///< [force time/length]
-        Vec3 velocity;        ///< of the surface [velocity]
-        Vec3 approach;        ///< velocity of the surface against the fluid [velocity]
-        double pressing = 0;  ///< normal force, positive apart [force]
-        double excess = 0;    ///< how far fluid stands behind the surface [length]; only with leak control
-        bool active = false;  ///< fluid stands before it
+        MeshPoint place;       ///< in the mesh
+        Vec3 position;         ///< [length]
+        PlaceWeights at;       ///< nodes of the fluid; weights without empty nodes
+        Vec3 normal;           ///< unit, into the fluid
+        double area = 0;       ///< [length^2]
+        double stiffness = 0;  ///< spring of the point [force/length]
+        double damper = 0;     ///< [force time/length]
+        Vec3 velocity;         ///< of the surface [velocity]
+        Vec3 approach;         ///< velocity of the surface against the fluid [velocity]
+        double pressing = 0;   ///< normal force, positive apart [force]
+        double sound_rate = 0; ///< of the fluid, cells passed in a time [1/time]
+        double excess = 0;     ///< how far fluid stands behind the surface [length]; only with leak control
+        bool active = false;   ///< fluid stands before it
     };
 
     const Model& model_;
@@ -67,7 +68,8 @@ private:
     /// nodes and by node of the State [mass]; zero between uses.
     std::vector<double> load_, structure_load_;
     DryFaces dry_faces_;
-    std::vector<DryFaces::Point> present_; ///< points in the mesh
+    std::vector<DryFaces::Point> present_; ///< points in the mesh; none where it has no void
+    InterfaceDepth interface_depth_;
     std::vector<Index> entry_; ///< of each node of the fluid among its outside forces, by storage place
     double work_on_structure_ = 0;
 
@@ -79,6 +81,7 @@ private:
     void clear_loads();
     double needed_mass(const Touch& touch) const;
     void stretch(std::size_t point, const Clock& clock);
+    void correct_depth(double& depth, const Touch& touch, const Clock& clock) const;
     void separate();
     void press(std::size_t point, const Clock& clock);
     void find_dry_faces();

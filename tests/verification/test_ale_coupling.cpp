@@ -100,11 +100,62 @@ double leak(int elements_per_edge, const std::string& coupling, double end, Ride
     return outside / before;
 }
 
-/// Half of a wedge that enters water at rest with constant speed: slope of the force of the whole wedge in
-/// time over rho V^3, between half of the run and its end. Lengths by the half width at which the wedge cuts
-/// the undisturbed surface in the end, on which there are `cells`.
-/// sound  speed of sound over that of the wedge
-double wedge_force_slope(double deadrise_degrees, int cells, double sound)
+/// How a wedge enters water: slope of the force in time, and largest pressure.
+struct Entry {
+    double slope = 0; ///< of the force of the whole wedge over rho V^3, from half of the run to its end
+    double peak = 0;  ///< over rho V^2 / 2
+};
+
+/// Mean pressure of a flow that only grows, by place over time: the coupling's forces on the rows of nodes of
+/// a wedge, over the last quarter of the run, in intervals of the place that are a cell wide in the end.
+class SelfSimilarPressure {
+public:
+    SelfSimilarPressure(const FluidCoupling& coupling, std::size_t first_node, std::size_t nodes, int rows,
+                        double cell, double end)
+        : coupling_(coupling), first_node_(first_node), rows_(rows), cell_(cell), end_(end)
+    {
+        results_.coupling_force.resize(nodes);
+    }
+
+    void take(const Clock& clock, const State& state)
+    {
+        if (clock.time < 0.75 * end_) return;
+        std::fill(results_.coupling_force.begin(), results_.coupling_force.end(), Vec3{});
+        coupling_.collect(state, results_);
+        for (int row = 1; row < rows_; ++row) {
+            const std::size_t node = first_node_ + 2 * row;
+            const double force = results_.coupling_force[node].z + results_.coupling_force[node + 1].z;
+            const auto interval = static_cast<std::size_t>(row * end_ / clock.time);
+            sums_.resize(std::max(sums_.size(), interval + 1));
+            sums_[interval].impulse += clock.step * force / (cell_ * cell_);
+            sums_[interval].span += clock.step;
+        }
+    }
+
+    double largest() const
+    {
+        double largest = 0;
+        for (const Sum& sum : sums_)
+            if (sum.span > 0) largest = std::max(largest, sum.impulse / sum.span);
+        return largest;
+    }
+
+private:
+    struct Sum {
+        double impulse = 0, span = 0;
+    };
+    const FluidCoupling& coupling_;
+    std::size_t first_node_;
+    int rows_;
+    double cell_, end_;
+    ElementResults results_;
+    std::vector<Sum> sums_;
+};
+
+/// Half of a wedge that enters water at rest with constant speed. Lengths by the half width at which the
+/// wedge cuts the undisturbed surface in the end, on which there are `cells`. sound  speed of sound over that
+/// of the wedge
+Entry enter(double deadrise_degrees, int cells, double sound)
 {
     constexpr double density = 1000, speed = 1;
     const double rise = std::tan(deadrise_degrees * std::numbers::pi / 180), end = rise, cell = 1.0 / cells;
@@ -128,14 +179,19 @@ double wedge_force_slope(double deadrise_degrees, int cells, double sound)
                     -speed) +
         testing::closed(end));
     FluidCoupling& coupled = run.term<FluidCoupling>();
+    const auto& ids = run.model().nodes.id;
+    const std::size_t apex = std::find(ids.begin(), ids.end(), 1000000) - ids.begin();
+    SelfSimilarPressure pressure(coupled, apex, ids.size(), static_cast<int>(length * cells), cell, end);
     double tt = 0, ft = 0; // least squares through the origin
-    run.run([&](const Clock& clock, const State&) {
+    run.run([&](const Clock& clock, const State& state) {
+        pressure.take(clock, state);
         if (clock.time < 0.5 * end) return;
         const double force = 2 * coupled.force().z / cell;
         tt += clock.step * clock.time * clock.time;
         ft += clock.step * clock.time * force;
     });
-    return ft / tt / (density * speed * speed * speed);
+    return {ft / tt / (density * speed * speed * speed),
+            pressure.largest() / (0.5 * density * speed * speed)};
 }
 
 } // namespace
@@ -145,7 +201,7 @@ TEST(AleCoupling, WedgeEntersWithTheForceOfTheSimilaritySolution)
 {
     const Threads one(1);
     // Measured: -2.6 % on 20 cells, -1.6 % on 40.
-    EXPECT_NEAR(wedge_force_slope(30, 20, 60) / 14.023, 1, 0.03);
+    EXPECT_NEAR(enter(30, 20, 60).slope / 14.023, 1, 0.03);
 }
 
 // The solution is that of incompressible water. The edge of the wetted width runs at pi / (2 tan(deadrise))
@@ -155,9 +211,25 @@ TEST(AleCoupling, WedgeEntersWithTheForceOfTheSimilaritySolution)
 TEST(AleCoupling, FlatWedgesEnterWithTheForceOfTheSimilaritySolution)
 {
     const Threads one(1);
-    EXPECT_NEAR(wedge_force_slope(10, 40, 300) / 213.001, 1, 0.03);
-    EXPECT_NEAR(wedge_force_slope(20, 40, 300) / 42.280, 1, 0.03);
-    EXPECT_NEAR(wedge_force_slope(30, 40, 60) / 14.023, 1, 0.03);
+    EXPECT_NEAR(enter(10, 40, 300).slope / 213.001, 1, 0.03);
+    EXPECT_NEAR(enter(20, 40, 300).slope / 42.280, 1, 0.03);
+    EXPECT_NEAR(enter(30, 40, 60).slope / 14.023, 1, 0.03);
+}
+
+// Largest pressure of the same solution over rho V^2 / 2, at 30 degrees near the root of the spray, at 45 at
+// the apex. Measured 1.004 and 1.006 (30 degrees on 20 cells: 0.919).
+TEST(AleCoupling, WedgeFeelsThePeakOfThePressure)
+{
+    const Threads one(1);
+    EXPECT_NEAR(enter(30, 40, 60).peak / 6.8957, 1, 0.08);
+    EXPECT_NEAR(enter(45, 40, 60).peak / 2.7055, 1, 0.08);
+}
+
+// Open: the peak of 10 degrees falls to nothing within half a cell. Measured 0.60.
+TEST(AleCoupling, DISABLED_FlatWedgeFeelsThePeakOfThePressure)
+{
+    const Threads one(1);
+    EXPECT_NEAR(enter(10, 40, 300).peak / 77.703, 1, 0.08);
 }
 
 // Open: measured 1.030 on 20 cells, 1.036 on 40, with DIREC = 2 1.038, with 300 times as the speed of
@@ -165,7 +237,7 @@ TEST(AleCoupling, FlatWedgesEnterWithTheForceOfTheSimilaritySolution)
 TEST(AleCoupling, DISABLED_SteepWedgeEntersWithTheForceOfTheSimilaritySolution)
 {
     const Threads one(1);
-    EXPECT_NEAR(wedge_force_slope(45, 40, 60) / 3.4486, 1, 0.03);
+    EXPECT_NEAR(enter(45, 40, 60).slope / 3.4486, 1, 0.03);
 }
 
 // One Lagrangian element for two thirds of a cell, a cell, six cells.
@@ -214,29 +286,32 @@ TEST(AleCoupling, BoxOfWaterThatMovesIsTightWhereverItsWallsStand)
         EXPECT_LT(leak(elements, "2,4,1,1\n0,0,0.1,0,0.02", 0.34, {1, 0.1}), 1e-4) << elements << " an edge";
 }
 
-// A box without a lid, half as heavy as the water it could hold out, floats with half its height below the
-// surface: Archimedes. It starts 0.6 cells too high, bobs, and its mean over the last of 3 s lies within half
-// a cell of that (measured: 0.11 cells too high). Without leak control water comes in through walls that
-// move, and it sinks by 1.1 cells more.
-TEST(AleCoupling, BoxFloatsAtItsDraught)
+namespace {
+
+/// A box without a lid, half as heavy as the water it could hold out, floats with half its height below the
+/// surface: Archimedes. It starts 0.6 cells of 25 mm too high and bobs; how much deeper it lies in the mean
+/// over the last of 3 s [cells], in a tank of `cells` along each edge.
+double surplus_draught(int cells, const std::string& coupling)
 {
-    const Threads one(1);
-    constexpr double cell = 0.025, side = 0.15, low = 0.1275, level = 0.2625,
-                     start = level - 0.5 * side + 0.6 * cell;
+    constexpr double side = 0.15, low = 0.1275, level = 0.2625, start = level - 0.5 * side + 0.015;
+    const double cell = 0.4 / cells;
+    const int elements = static_cast<int>(std::round(side / cell));
     int first = 100000;
     const Vec3 o{low, low, start}, x{side, 0, 0}, y{0, side, 0}, z{0, 0, side};
-    const std::string shells = testing::shell_patch(20, first, o, y, x, 6, 6) +     // floor, outward
-                               testing::shell_patch(20, first, o, z, y, 6, 6) +     // low x
-                               testing::shell_patch(20, first, o + x, y, z, 6, 6) + // high x
-                               testing::shell_patch(20, first, o, x, z, 6, 6) +     // low y
-                               testing::shell_patch(20, first, o + y, z, x, 6, 6);  // high y
+    const auto patch = [&](Vec3 corner, Vec3 a, Vec3 b) {
+        return testing::shell_patch(20, first, corner, a, b, elements, elements);
+    };
+    std::string shells = patch(o, y, x); // floor, outward; then both sides along x and y
+    shells += patch(o, z, y);
+    shells += patch(o + x, y, z);
+    shells += patch(o, x, z);
+    shells += patch(o + y, z, x);
     // Mass 1000 x 0.15^2 x 0.075 on five sides 10 mm thick.
-    EulerianRun run(testing::structured_mesh({0, 0, 0}, {0.4, 0.4, 0.4}, {16, 16, 16}) +
+    EulerianRun run(testing::structured_mesh({0, 0, 0}, {0.4, 0.4, 0.4}, {cells, cells, cells}) +
                     testing::liquid_and_void(1000, 20) + "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n" +
                     fmt::format("5,0,1\n0,0,0,1,1,{}\n5,0,2\n{},{},{},{},{},1\n", level, low, low, start,
                                 low + side, low + side) +
-                    rigid_part(1500, 4, 7, "2,4,1,1\n0,0,0.1,0,0.3,0,0,0.2\n,,,2,0.1") + shells +
-                    testing::gravity(9.81) + testing::closed(3));
+                    rigid_part(1500, 4, 7, coupling) + shells + testing::gravity(9.81) + testing::closed(3));
     const auto& ids = run.model().nodes.id;
     const std::size_t corner = std::find(ids.begin(), ids.end(), 100000) - ids.begin();
     double sum = 0, span = 0;
@@ -245,13 +320,24 @@ TEST(AleCoupling, BoxFloatsAtItsDraught)
         sum += state.position[corner].z * clock.step;
         span += clock.step;
     });
+    // Fluid and structure take the works of the springs over spans that differ by half a step.
+    EXPECT_LT(run.scene().ledger.balance_error(), 1e-4);
     // The water that fills the tank around the box rises by what the box displaces more than at the start.
     const double floor = sum / span, water = level * (0.16 - side * side) + start * side * side;
     const double surface = (water - floor * side * side) / (0.16 - side * side);
-    EXPECT_NEAR(surface - floor, 0.5 * side, 0.5 * cell);
-    // Measured 1.5e-5: fluid and structure take the works of the springs over spans that differ by half a
-    // step.
-    EXPECT_LT(run.scene().ledger.balance_error(), 1e-4);
+    return (surface - floor - 0.5 * side) / cell;
+}
+
+} // namespace
+
+// Within half a cell on any mesh. While penetrations were summed up over time alone, water crept behind the
+// floor, and the box sank by 1.7 cells of 50 mm, 0.55 of 25 mm.
+TEST(AleCoupling, BoxFloatsAtItsDraught)
+{
+    const Threads one(1);
+    for (const int cells : {8, 16})
+        EXPECT_NEAR(surplus_draught(cells, "2,4,1,1\n0,0,0.1,0,0.3,0,0,0.2"), 0, 0.5) << cells << " cells";
+    EXPECT_NEAR(surplus_draught(16, "2,4,1,1\n0,0,0.1,0,0.3,0,0,0.2\n,,,2,0.1"), 0, 0.5) << "leak control";
 }
 
 // Behind the plane shock the pressure is rho Us v, but the coupling's spring lets the fluid start softly:

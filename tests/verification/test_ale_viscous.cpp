@@ -98,7 +98,57 @@ double vortex_left(int side, double smooth, double end)
     return fluid.energies().kinetic / first;
 }
 
+/// A layer of shear that a stream carries across itself: velocity +-0.025 along x, a jump between two nodes
+/// at the start, stream 0.03 or 0.3 along z, sound 1. Largest velocity after 100 or 83 units of time, over
+/// 0.025.
+double peak_of_shear(double stream, double smooth)
+{
+    constexpr int wide = 240, high = 60; // what starts at the ends does not reach the middle
+    BoxFluid fluid(BoxGrid::uniform({0, 0, 0}, {wide, 1, high}, {wide, 1, high}), {linear_liquid(1, 1)}, {});
+    fluid.held = walls_of_box(fluid.grid);
+    for_cells(fluid.grid, [&](int i, int j, int k) { fluid.fill_cell(i, j, k, 0, 1, 1, 0); });
+    for (int k = 0; k <= high; ++k) {
+        for (int i = 0; i <= wide; ++i) {
+            for (int j = 0; j < 2; ++j) {
+                const std::ptrdiff_t place = fluid.grid.at(i, j, k);
+                fluid.fields.velocity[0][place] = k <= 15 ? 0.025 : -0.025;
+                fluid.fields.velocity[2][place] = stream;
+            }
+        }
+    }
+    for (HeldNode& node : fluid.held) {
+        node.axes &= ~1u;
+        if (node.axes & 4) node.before[2] = node.after[2] = stream;
+    }
+    if (smooth > 0) fluid.keep_smooth_slopes(smooth);
+    fluid.start();
+    const double end = stream > 0.1 ? 25 / stream : 100;
+    for (double time = 0; time < end;) {
+        const double step = 0.67 * fluid.stable_step();
+        fluid.advance(step);
+        time += step;
+    }
+    double largest = 0;
+    for (int k = 1; k < high; ++k)
+        largest = std::max(largest, std::abs(fluid.fields.velocity[0][fluid.grid.at(wide / 2, 0, k)]));
+    return largest / 0.025;
+}
+
 } // namespace
+
+/// Slopes that van Leer's limiter cuts make no new extremum where velocities jump.
+TEST(AleViscous, LayerOfShearKeepsItsBounds)
+{
+    const Threads one(1);
+    for (const double stream : {0.03, 0.3}) EXPECT_LT(peak_of_shear(stream, 0), 1.0001) << stream;
+}
+
+/// Measured 1.110 and 1.158: why SMOOTH is not the default. Wanted: within 1 %.
+TEST(AleViscous, DISABLED_LayerOfShearKeepsItsBoundsWithSmoothSlopes)
+{
+    const Threads one(1);
+    for (const double stream : {0.03, 0.3}) EXPECT_LT(peak_of_shear(stream, 0.2), 1.01) << stream;
+}
 
 /// Nothing but the remap takes the energy of this vortex: 4.0 and 2.8 % on 16 cells a side, 0.52 and 0.36
 /// on 32.

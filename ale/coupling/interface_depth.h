@@ -1,0 +1,49 @@
+#pragma once
+
+#include "ale/coupling/dry_faces.h"
+
+#include <optional>
+
+namespace plash {
+
+/// How far the interface of a coupled fluid stands behind the surface, from what fills the cells there. The
+/// springs of a coupling know its sum over time alone, in which any error stays for ever: fluid that has
+/// crept behind the floor of a floating body weighs on it like ballast.
+///
+/// Looked at are three cells in a row across the surface: the one of the point, the one before it, which must
+/// be full, and the one behind; only where the surface lies along them. They hold as much as lies before the
+/// planes through the points in them, or what more they hold is behind the surface. Along an edge of the
+/// structure planes meet in a cell; they bound a structure that lies behind all of them (an outer corner of
+/// the fluid) or behind any.
+class InterfaceDepth {
+public:
+    explicit InterfaceDepth(const Fluid& fluid) : entry_(fluid.fields.volume.size(), none) {}
+
+    /// Collects the planes of the surface by cell. The points must outlive what follows.
+    void collect(const Fluid& fluid, const std::vector<DryFaces::Point>& points);
+    /// At one of these points, negative where the fluid has not come up to the surface [length]; nothing
+    /// where the cells do not tell. fluids  bit g for fluid g
+    std::optional<double> behind(const Fluid& fluid, const DryFaces::Point& point, unsigned fluids) const;
+
+private:
+    static constexpr int most_planes = 3;
+    struct Cell {
+        std::array<const DryFaces::Point*, most_planes> planes{};
+        int count = 0;     ///< of planes; more than fit: most_planes + 1
+        double before = 0; ///< share of the cell that lies before the surface; negative: unknown
+    };
+    std::vector<Index> entry_; ///< of each cell in cells_, by storage place
+    std::vector<std::ptrdiff_t> places_;
+    std::vector<Cell> cells_;
+
+    const Cell* cell_at(std::ptrdiff_t place) const
+    {
+        return place < 0 || entry_[place] == none ? nullptr : &cells_[entry_[place]];
+    }
+};
+
+/// Share of a cell that lies before the plane through a point in it.
+double share_before_plane(const std::array<Vec3, 3>& edges, const std::array<double, 3>& part,
+                          const Vec3& normal);
+
+} // namespace plash
