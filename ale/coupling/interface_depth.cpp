@@ -3,6 +3,7 @@
 #include "ale/plane_in_cell.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace plash {
@@ -30,14 +31,34 @@ using Point = DryFaces::Point;
 /// less evenly, and what they say presses a wedge of 10 degrees up by 7 % of its force.
 constexpr double least_cosine = 0.999;
 
+/// The axis of the mesh that a surface lies across at a point, and how much of the normal is along it [-].
+struct RowAxis {
+    int axis = 0;
+    double cosine = 0; ///< negative: against it
+};
+RowAxis row_axis(const std::array<Vec3, 3>& edges, const Vec3& normal)
+{
+    RowAxis row;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double cosine = dot(normal, edges[axis]) / norm(edges[axis]);
+        if (std::abs(cosine) > std::abs(row.cosine)) row = {axis, cosine};
+    }
+    return row;
+}
+
+bool tells(const RowAxis& row)
+{
+    return std::abs(row.cosine) >= least_cosine;
+}
+
 /// How far the other point stands before the plane of a point [length].
 double before_plane(const Point& point, const Vec3& other)
 {
     return dot(other - point.position, point.normal);
 }
 
-/// Share of a cell that lies before a surface of several planes, by sampling; negative where they bound
-/// neither an outer nor an inner corner.
+/// Share of a cell that lies before a surface of one plane, or of several that each lie across an axis of
+/// their own; negative where it is another one, or where planes bound neither an outer nor an inner corner.
 double share_before(const Fluid& fluid, const Point* const* planes, int count)
 {
     const std::array<Vec3, 3> edges = fluid.edges(planes[0]->place);
@@ -47,22 +68,27 @@ double share_before(const Fluid& fluid, const Point* const* planes, int count)
         for (int b = 0; b < count; ++b)
             if (a != b) ++(before_plane(*planes[a], planes[b]->position) < 0 ? outer : inner);
     if (outer > 0 && inner > 0) return -1;
-    constexpr int samples = 6; // along each edge
-    Vec3 origin = planes[0]->position;
-    for (int axis = 0; axis < 3; ++axis) origin -= planes[0]->place.part[axis] * edges[axis];
-    int hits = 0;
-    for (int sample = 0; sample < samples * samples * samples; ++sample) {
-        const int number[3] = {sample % samples, sample / samples % samples, sample / samples / samples};
-        Vec3 at = origin;
-        for (int axis = 0; axis < 3; ++axis) at += ((number[axis] + 0.5) / samples) * edges[axis];
-        const auto is_before = [&](const Point* plane) { return before_plane(*plane, at) > 0; };
-        hits += outer > 0 ? std::any_of(planes, planes + count, is_before)
-                          : std::all_of(planes, planes + count, is_before);
+    double product = 1; // of what lies behind each plane (before any), or before each (before all)
+    unsigned axes = 0;  // across which they lie, where each lies across one of its own
+    for (int a = 0; a < count; ++a) {
+        const RowAxis row = row_axis(edges, planes[a]->normal);
+        if (tells(row)) axes |= 1u << row.axis;
+        const double share = share_before_plane(edges, planes[a]->place.part, planes[a]->normal);
+        product *= outer > 0 ? 1 - share : share;
     }
-    return hits / double(samples * samples * samples);
+    if (std::popcount(axes) != count) return -1;
+    return outer > 0 ? 1 - product : product;
 }
 
 } // namespace
+
+void InterfaceDepth::need(std::ptrdiff_t place)
+{
+    if (place < 0 || entry_[place] != none) return;
+    entry_[place] = static_cast<Index>(cells_.size());
+    places_.push_back(place);
+    cells_.emplace_back();
+}
 
 void InterfaceDepth::collect(const Fluid& fluid, const std::vector<Point>& points)
 {
@@ -70,13 +96,16 @@ void InterfaceDepth::collect(const Fluid& fluid, const std::vector<Point>& point
     places_.clear();
     cells_.clear();
     for (const Point& point : points) {
-        const std::ptrdiff_t place = fluid.place_of(point.place);
-        if (entry_[place] == none) {
-            entry_[place] = static_cast<Index>(cells_.size());
-            places_.push_back(place);
-            cells_.emplace_back();
-        }
-        Cell& cell = cells_[entry_[place]];
+        const RowAxis row = row_axis(fluid.edges(point.place), point.normal);
+        if (!tells(row)) continue;
+        need(fluid.place_of(point.place));
+        need(fluid.cell_beyond(point.place, row.axis, row.cosine > 0 ? 0 : 1));
+    }
+    if (cells_.empty()) return;
+    for (const Point& point : points) {
+        const Index entry = entry_[fluid.place_of(point.place)];
+        if (entry == none) continue;
+        Cell& cell = cells_[entry];
         // A surface that is bent a little is one plane.
         const auto end = cell.planes.begin() + std::min(cell.count, most_planes);
         const auto same = [&](const Point* plane) { return dot(plane->normal, point.normal) > 0.9; };
@@ -84,20 +113,21 @@ void InterfaceDepth::collect(const Fluid& fluid, const std::vector<Point>& point
         if (cell.count < most_planes) cell.planes[cell.count] = &point;
         ++cell.count;
     }
-    for (Cell& cell : cells_)
+    for (Cell& cell : cells_) {
+        if (cell.count == 0) continue;
         cell.before = cell.count > most_planes ? -1 : share_before(fluid, cell.planes.data(), cell.count);
+    }
 }
 
 std::optional<double> InterfaceDepth::behind(const Fluid& fluid, const Point& point, unsigned fluids) const
 {
+    if (cells_.empty()) return {};
     const std::array<Vec3, 3> edges = fluid.edges(point.place);
+    const RowAxis row = row_axis(edges, point.normal);
+    if (!tells(row)) return {};
+    const int axis = row.axis;
     double along[3];
-    int axis = 0; // of the row
-    for (int a = 0; a < 3; ++a) {
-        along[a] = dot(point.normal, edges[a]);
-        if (std::abs(along[a]) * norm(edges[axis]) > std::abs(along[axis]) * norm(edges[a])) axis = a;
-    }
-    if (std::abs(along[axis]) < least_cosine * norm(edges[axis])) return {};
+    for (int a = 0; a < 3; ++a) along[a] = dot(point.normal, edges[a]);
     const int ahead = along[axis] > 0 ? 1 : 0;
     const std::ptrdiff_t place = fluid.place_of(point.place);
     const std::ptrdiff_t before = fluid.cell_beyond(point.place, axis, ahead);
@@ -107,6 +137,7 @@ std::optional<double> InterfaceDepth::behind(const Fluid& fluid, const Point& po
     if (full < 0.99) return {};
     const Cell& own = *cell_at(place);
     const Cell* last = cell_at(beyond);
+    if (last && last->count == 0) last = nullptr; // no plane passes there
     if (own.before < 0 || (last && last->before < 0)) return {};
     const double in_last = beyond < 0 ? 0 : filled_share(fluid, beyond, fluids);
     const double wanted_in_last = last ? last->before : 0;

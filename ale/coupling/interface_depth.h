@@ -19,7 +19,8 @@ class InterfaceDepth {
 public:
     explicit InterfaceDepth(const Fluid& fluid) : entry_(fluid.fields.volume.size(), none) {}
 
-    /// Collects the planes of the surface by cell. The points must outlive what follows.
+    /// Collects the planes of the surface in the cells that are looked at. The points must outlive what
+    /// follows.
     void collect(const Fluid& fluid, const std::vector<DryFaces::Point>& points);
     /// At one of these points, negative where the fluid has not come up to the surface [length]; nothing
     /// where the cells do not tell. fluids  bit g for fluid g
@@ -36,6 +37,7 @@ private:
     std::vector<std::ptrdiff_t> places_;
     std::vector<Cell> cells_;
 
+    void need(std::ptrdiff_t place);
     const Cell* cell_at(std::ptrdiff_t place) const
     {
         return place < 0 || entry_[place] == none ? nullptr : &cells_[entry_[place]];

@@ -331,8 +331,8 @@ double surplus_draught(int cells, const std::string& coupling)
 
 } // namespace
 
-// Within half a cell on any mesh. While penetrations were summed up over time alone, water crept behind the
-// floor, and the box sank by 1.7 cells of 50 mm, 0.55 of 25 mm.
+// Within half a cell on any mesh (measured 0.35 and 0.06 cells too deep). While penetrations were summed up
+// over time alone, water crept behind the floor, and the box sank by 1.7 cells of 50 mm, 0.55 of 25 mm.
 TEST(AleCoupling, BoxFloatsAtItsDraught)
 {
     const Threads one(1);
