@@ -53,7 +53,7 @@ def run(path, seconds, folder):
     if os.path.exists(summary):
         with open(summary, encoding="utf-8") as file:
             return json.load(file)
-    return lines[-1] if lines else f"ended with {process.returncode}"
+    return lines[-1].split("; goes on with")[0] if lines else f"ended with {process.returncode}"
 
 
 def main():

@@ -272,8 +272,8 @@ void ParticleBody::search(State& state)
 {
     ParticleArrays& a = arrays_;
     std::vector<Index> number = dismiss_leaving(state);
-    release(runs_); // makes room for what sorting needs
-    if (real_count_ == 0) return put_to_sleep(state);
+    release(runs_);                                 // makes room for what sorting needs
+    if (a.node.empty()) return put_to_sleep(state); // all still wait in solids
     images_.follow(state, model_.nodes.position);
     followed_.clear();
     for (const PeriodicPair& pair : images_.periods()) {
@@ -340,7 +340,7 @@ void ParticleBody::search(State& state)
     images_.settle(order, a);
     images_.refresh_all(a);
     list_neighbours(cells);
-    if (!bonded_places_.empty()) find_pressed();
+    if (hosts_.any()) find_pressed();
 }
 
 /// Density, pressure, energy and smoothing length at n, and the shortest stable step.

@@ -118,6 +118,23 @@ TEST(SphAdaptive, BondsPullAlongWhatDebrisLeavesBehind)
     EXPECT_LT(held.balance, 0.005);
 }
 
+TEST(SphAdaptive, BondedParticlesOutliveTheLastSolid)
+{
+    // First the slab, then all that it was bonded with.
+    DeckRun run(testing::pulled_bar("1,1", 1e-9, 0.03, "*MAT_ADD_EROSION\n1,-1e9\n,,,,,,,0.01\n"));
+    Vec3 first{};
+    double farthest = 0;
+    run.watch([&](const Clock& clock, const State& state) {
+        const Vec3 now = testing::Momenta(state).linear;
+        if (clock.cycle == 0) first = now;
+        farthest = std::max(farthest, norm(now - first));
+    });
+    run.go();
+    EXPECT_EQ(run.scene->state.deletions, 108);
+    EXPECT_LT(farthest, 1e-12 * norm(first));
+    EXPECT_LT(run.scene->ledger.balance_error(), 0.01);
+}
+
 TEST(SphAdaptive, DebrisBouncesOffSurfacesAndWalls)
 {
     for (const bool plate : {false, true}) {
