@@ -53,7 +53,7 @@ def run(path, seconds, folder):
     if os.path.exists(summary):
         with open(summary, encoding="utf-8") as file:
             return json.load(file)
-    return lines[-1].split("; goes on with")[0] if lines else f"ended with {process.returncode}"
+    return lines[-1] if lines else f"ended with {process.returncode}"
 
 
 def main():
@@ -70,7 +70,7 @@ def main():
         if isinstance(result, str):
             row = f"| {deck} | {elements} | | | | | {result} |"
         else:
-            ending = result["termination"] if not result["message"] else result["message"]
+            ending = (result["message"] or result["termination"]).split("; goes on with")[0]  # in a folder that goes
             row = (f"| {deck} | {elements} | {result['cycles']} | {result['time']:.4g} of {result['end_time']:.4g} | "
                    f"{result['wall_seconds']:.1f} | {100 * result['energy']['balance_error_max']:.3f} % | {ending} |")
         print(row, flush=True)
