@@ -22,14 +22,18 @@ struct DensityDiffusion {
 ///   delta h c sum of 2 V_j (rho_j - rho_i - hydrostatic difference) (x_j - x_i) . grad W / r^2;
 /// taking the hydrostatic difference rho g . (x_j - x_i) / c^2 away, as Fourtakas et al. (2019) do, keeps
 /// still water still right up to its surface, where the plain term is inconsistent.
-template <class Lane, class Kernel, bool diffusive = false>
+///
+/// With `rings` also the moment of the kernel that their sums are divided by (sph/rings.h), half the sum of
+/// weight_j (x_j - x_i) . grad W_ij.
+template <class Lane, class Kernel, bool diffusive = false, bool rings = false>
 class DensityRate {
 public:
     /// records    of all particles; the run begins at `first`
     /// rate       by particle of the run, zeroed; in and out
     /// spread     rate of density by diffusion [mass/volume/time], likewise; only used if diffusive
+    /// moment     likewise; only used if rings [-]
     DensityRate(const MotionRecord* records, Index first, int dimension, double half_step, double* rate,
-                const DensityDiffusion& diffusion = {}, double* spread = nullptr)
+                const DensityDiffusion& diffusion = {}, double* spread = nullptr, double* moment = nullptr)
         : records_(records),
           run_(records + first),
           first_(first),
@@ -37,13 +41,15 @@ public:
           half_step_(half_step),
           rate_(rate),
           diffusion_(diffusion),
-          spread_(spread)
+          spread_(spread),
+          moment_(moment)
     {}
 
     void open(Index particle)
     {
         own_ = Moving<Lane>::same(run_[particle]);
         sum_ = Lane{};
+        if constexpr (rings) moment_sum_ = Lane{};
         if constexpr (diffusive) {
             const PushRecord& push = diffusion_.push[first_ + particle];
             own_fluid_ = fluid_of(own_.weight, broadcast<Lane>(push.scale), broadcast<Lane>(push.sound));
@@ -59,6 +65,11 @@ public:
         const Lane approach = approach_to(other, apart, slope);
         sum_ += other.weight * approach;
         add_to_places(rate_, places, own_.weight * approach);
+        if constexpr (rings) {
+            const Lane share = 0.5 * slope * dot(apart, apart);
+            moment_sum_ += other.weight * share;
+            add_to_places(moment_, places, own_.weight * share);
+        }
         if constexpr (diffusive) {
             Lane volume;
             const Lane flow = flow_from(first_, places, other, apart, slope, volume);
@@ -72,6 +83,7 @@ public:
         Vector3<Lane> apart;
         Lane slope;
         sum_ += other.weight * approach_to(other, apart, slope);
+        if constexpr (rings) moment_sum_ += other.weight * (0.5 * slope * dot(apart, apart));
         if constexpr (diffusive) {
             Lane volume;
             const Lane flow = flow_from(0, places, other, apart, slope, volume);
@@ -81,6 +93,7 @@ public:
     void close(Index particle)
     {
         rate_[particle] += sum_of_lanes(sum_);
+        if constexpr (rings) moment_[particle] += sum_of_lanes(moment_sum_);
         if constexpr (diffusive) spread_[particle] += sum_of_lanes(spread_sum_);
     }
 
@@ -98,8 +111,9 @@ private:
     double* rate_;
     DensityDiffusion diffusion_;
     double* spread_;
+    double* moment_;
     Moving<Lane> own_;
-    Lane sum_, spread_sum_;
+    Lane sum_, spread_sum_, moment_sum_;
     Fluid own_fluid_;
     std::uint8_t part_ = 0;
 

@@ -47,8 +47,8 @@ private:
         const Lanes floor = broadcast<Lanes>(1e-6 * eos_.bulk_modulus);
         const Lanes sound = sqrt(max(stiffness, floor) * (1 / part.density));
         const Lanes h = smoothing_length(part, places, compression, arrays);
-        const Lanes stable =
-            stable_step(part, h, sound, part.volume_weighted ? rate : rate * inverse_density);
+        const Lanes stable = stable_step(part, size_for_step(places, h, arrays), sound,
+                                         part.volume_weighted ? rate : rate * inverse_density);
 
         ParticleVote vote;
         for (std::size_t l = 0; l < places.size(); ++l) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sph/particle_law.h"
+#include "sph/rings.h"
 
 #include <algorithm>
 
@@ -30,7 +31,8 @@ ParticleVote for_batches(std::span<const Index> places, Work&& work)
 }
 
 /// Smoothing length that keeps the mass in a kernel, h^d density = const, within its bounds: the solution of
-/// dh/dt = h div(v) / d. Newton's iteration from the last value, which is close.
+/// dh/dt = h div(v) / d. Newton's iteration from the last value, which is close. Of rings it goes with the
+/// root of their area, and div(v) is that in the plane.
 inline Lanes smoothing_length(const PartConstants& part, std::span<const Index> places, Lanes compression,
                               const ParticleArrays& arrays)
 {
@@ -38,6 +40,10 @@ inline Lanes smoothing_length(const PartConstants& part, std::span<const Index> 
                            ? broadcast<Lanes>(1.0)
                            : gather(places, [&](Index p) { return part.size_of(arrays.mass(p)); });
     const Lanes reference = part.smoothing * size;
+    if (are_rings(arrays)) {
+        compression *= gather(places, [&](Index p) { return ring_radius(arrays.motion[p]); }) /
+                       gather(places, [&](Index p) { return arrays.first_radius[p]; });
+    }
     const Lanes kept =
         (part.dimension == 2 ? reference * reference : reference * reference * reference) / compression;
     Lanes h = gather(places, [&](Index p) { return arrays.motion[p].smoothing; });
@@ -66,6 +72,7 @@ inline void set_records(const PartConstants& part, Index place, double smoothing
     MotionRecord& motion = arrays.motion[place];
     motion.smoothing = smoothing;
     if (part.volume_weighted) motion.weight = arrays.own_mass[place] / density;
+    if (are_rings(arrays)) motion.weight /= ring_radius(motion);
     PushRecord& push = arrays.push[place];
     push.scale = part.volume_weighted ? density : 1 / density;
     push.sound = sound;
@@ -80,7 +87,8 @@ inline void set_push(const PartConstants& part, Index place, const SymmetricTens
                      ParticleArrays& arrays)
 {
     PushRecord& push = arrays.push[place];
-    const double scaling = part.volume_weighted ? -1 : -push.scale * push.scale;
+    double scaling = part.volume_weighted ? -1 : -push.scale * push.scale;
+    if (are_rings(arrays)) scaling /= arrays.moment[place];
     if (arrays.tension.empty()) {
         push.push = scaling / 3 * trace(stress);
         return;
@@ -93,6 +101,13 @@ inline void set_push(const PartConstants& part, Index place, const SymmetricTens
          s.xy * b.xy + s.yy * b.yy + s.yz * b.yz, s.xy * b.zx + s.yy * b.yz + s.yz * b.zz,
          s.zx * b.xx + s.yz * b.xy + s.zz * b.zx, s.zx * b.xy + s.yz * b.yy + s.zz * b.yz}};
     push.push = s.zx * b.zx + s.yz * b.yz + s.zz * b.zz;
+}
+
+/// What the stable step goes by: the smoothing length, or what a ring allows [length].
+inline Lanes size_for_step(std::span<const Index> places, Lanes smoothing, const ParticleArrays& arrays)
+{
+    if (!are_rings(arrays)) return smoothing;
+    return ring_size(gather(places, [&](Index p) { return ring_radius(arrays.motion[p]); }), smoothing);
 }
 
 /// Stable step h / (Q + sqrt(Q^2 + c^2)) with Q = Q2 c + Q1 h |div v| in compression, as for LS-DYNA's

@@ -35,8 +35,9 @@ struct PairRecords {
 /// viscosity where particles approach, and laminar viscosity (Monaghan & Cleary 1999).
 ///
 /// With `tensor`, push is a full tensor: that of the TensionRecord, with the push of the PushRecord as its zz
-/// component.
-template <class Lane, class Kernel, bool tensor>
+/// component. With `rings`, forces are those of rings, by radian (sph/rings.h); viscosity acts along the line
+/// of the two all the same, weighed by their mean radius.
+template <class Lane, class Kernel, bool tensor, bool rings = false>
 class PairForce {
 public:
     /// records  of all particles; the run begins at `first`
@@ -106,11 +107,12 @@ private:
         const Lane artificial =
             approach * (viscosity_.quadratic * approach - (0.5 * viscosity_.linear) * (sound_ + push[2]));
         const Lane viscous = (0.5 * artificial) * (scale_ + push[1]) - (laminar_ + push[3]) * opening_rate;
-        const Lane viscous_pull = steepness * viscous;
+        Lane viscous_pull = steepness * viscous;
+        if constexpr (rings) viscous_pull *= 0.5 * (own_.position.x + abs(other.position.x));
         const Lane heat = -0.5 * viscous_pull * opening;
         const Vector3<Lane> viscous_force = viscous_pull * apart;
         const Vector3<Lane> force =
-            steepness * pushed(records, places, push_ + push[0], apart) + viscous_force;
+            steepness * pushed(records, places, push[0], other.position.x, apart) + viscous_force;
 
         const Lane values[8] = {force.x,         force.y,         force.z,         Lane{},
                                 viscous_force.x, viscous_force.y, viscous_force.z, heat};
@@ -120,20 +122,31 @@ private:
         }
     }
 
-    /// (push_i + push_j) times the vector from j to i.
+    /// (push_i + push_j) times the vector from j to i; in rings each row is weighed by radii.
     template <class Place>
-    Vector3<Lane> pushed(const PairRecords& records, const Place* places, Lane push,
+    Vector3<Lane> pushed(const PairRecords& records, const Place* places, Lane push, Lane radius,
                          const Vector3<Lane>& apart) const
     {
-        if constexpr (!tensor) {
-            return push * apart;
+        Lane t[8];
+        if constexpr (tensor) load_lines(records.tension->component, places, t);
+        if constexpr (rings) {
+            const Lane own_radius = own_.position.x;
+            const Lane mean = radius < Lane{} ? Lane{} : 0.5 * (own_radius + radius);
+            if constexpr (!tensor) {
+                return {(own_radius * push_ + radius * push) * apart.x, mean * (push_ + push) * apart.y,
+                        Lane{}};
+            } else {
+                const auto radial = [&](int k) { return own_radius * tension_[k] + radius * t[k]; };
+                return {radial(0) * apart.x + radial(1) * apart.y,
+                        mean * ((tension_[3] + t[3]) * apart.x + (tension_[4] + t[4]) * apart.y), Lane{}};
+            }
+        } else if constexpr (!tensor) {
+            return (push_ + push) * apart;
         } else {
-            Lane t[8];
-            load_lines(records.tension->component, places, t);
             for (int k = 0; k < 8; ++k) t[k] += tension_[k];
             return {t[0] * apart.x + t[1] * apart.y + t[2] * apart.z,
                     t[3] * apart.x + t[4] * apart.y + t[5] * apart.z,
-                    t[6] * apart.x + t[7] * apart.y + push * apart.z};
+                    t[6] * apart.x + t[7] * apart.y + (push_ + push) * apart.z};
         }
     }
 };

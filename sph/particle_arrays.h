@@ -50,6 +50,10 @@ struct ParticleArrays {
     std::vector<double> rest_pressure; ///< at the start [stress]
     std::vector<Vec3> rest_velocity;   ///< likewise [velocity]
 
+    // Only of rings (sph/rings.h).
+    std::vector<double> first_radius; ///< at the start [length]
+    std::vector<double> moment;       ///< by how much pair sums of linear fields are right [-]
+
     std::vector<Vec3> drift; ///< of the particles against their velocity; empty without [velocity]
 
     // Only of bodies whose push is a tensor.
@@ -75,9 +79,9 @@ struct ParticleArrays {
     void serialise(Archive& archive)
     {
         archive(motion, push, particle, node, part, image, bonded, asleep, own_mass, density, rate, diffusion,
-                pressure, energy, viscous_force, heat, laminar, rest_pressure, rest_velocity, drift, tension,
-                gradient, correction, stress, history, skin, build_origin, build_rounding, build_position,
-                build_smoothing);
+                pressure, energy, viscous_force, heat, laminar, rest_pressure, rest_velocity, first_radius,
+                moment, drift, tension, gradient, correction, stress, history, skin, build_origin,
+                build_rounding, build_position, build_smoothing);
     }
 };
 

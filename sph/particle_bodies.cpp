@@ -166,10 +166,39 @@ void check_plane(const std::vector<ParticlePart>& parts, const Model& model, con
             if (model.nodes.position[node].z == level) continue;
             throw DeckError(
                 model.parts[part.model_part].where,
-                fmt::format("*CONTROL_SPH, field IDIM: 2 asks for particles in one plane z = const, "
+                fmt::format("*CONTROL_SPH, field IDIM: {} asks for particles in one plane z = const, "
                             "but particle {} has z = {:g} and others {:g}",
-                            model.nodes.id[node], model.nodes.position[node].z, level));
+                            options.axisymmetric ? -2 : 2, model.nodes.id[node], model.nodes.position[node].z,
+                            level));
         }
+}
+
+/// Rings stand on one side of the axis, and options that move particles besides their velocity know no hoops.
+void check_rings(const std::vector<ParticlePart>& parts, const Model& model, const ParticleOptions& options)
+{
+    if (!options.axisymmetric || parts.empty()) return;
+    for (const ParticlePart& part : parts)
+        for (Index node : part.nodes) {
+            if (model.nodes.position[node].x > 0) continue;
+            throw DeckError(model.parts[part.model_part].where,
+                            fmt::format("*CONTROL_SPH, field IDIM: -2 asks for particles at x > 0, for they "
+                                        "are rings around the y axis, but particle {} has x = {:g}",
+                                        model.nodes.id[node], model.nodes.position[node].x));
+        }
+    const auto refuse = [&](bool given, const char* what) {
+        if (!given) return;
+        throw DeckError(
+            model.parts[parts.front().model_part].where,
+            fmt::format("{} do not work with axisymmetric particles (*CONTROL_SPH IDIM = -2)", what));
+    };
+    refuse(options.velocity_blend > 0 || options.shifting > 0 || options.tensile_repulsion > 0 ||
+               options.graded || options.laminar_by_velocity,
+           "XSPH, SHIFT, TENSILE, GRADED and VISC of *PLASH_SPH_FORMULATION");
+    refuse(!options.inflows.empty(), "*BOUNDARY_SPH_FLOW");
+    refuse(!model.stand_ins.empty(), "*DEFINE_ADAPTIVE_SOLID_TO_SPH");
+    refuse(std::any_of(options.mirrors.begin(), options.mirrors.end(),
+                       [](const MirrorPlane& plane) { return plane.absorbing; }),
+           "*BOUNDARY_SPH_NON_REFLECTING");
 }
 
 /// Corrections that know fluids alone.
@@ -258,6 +287,7 @@ std::vector<std::unique_ptr<ParticleBody>> make_particle_bodies(const Model& mod
     }
     turn_mirrors(parts, model, options);
     check_plane(parts, model, options);
+    check_rings(parts, model, options);
     check_formulation(parts, model, options);
     bodies.push_back(std::make_unique<ParticleBody>(std::move(parts), std::move(options), model, state));
     return bodies;

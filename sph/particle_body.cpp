@@ -5,6 +5,7 @@
 #include "core/run_error.h"
 #include "sph/array_sorter.h"
 #include "sph/pair_passes.h"
+#include "sph/rings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,11 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
     tensor_ = options_.renormalised;
     bool viscous = false;
     for (ParticlePart& part : parts_) {
+        if (options_.axisymmetric) { // from the mass of the area to that of the ring by radian
+            for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+                part.mass[i] *= state.position[part.nodes[i]].x;
+            }
+        }
         part.constants.dimension = options_.dimension;
         part.constants.volume_weighted = options_.volume_weighted;
         part.constants.failed_carry_nothing = options_.failed_carry_nothing;
@@ -80,7 +86,7 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
     }
     if (viscous && options_.laminar_by_velocity) arrays_.laminar.resize(real_count_);
     search(state);
-    if (tensor_) sum_rates({}); // for the correction of the first forces
+    if (tensor_ || options_.axisymmetric) sum_rates({}); // for what corrects the first forces
     apply_laws(0, sleepers_);
     apply_laws(0, places_);
     if (images_.any_absorbing()) arrays_.rest_pressure = arrays_.pressure;
@@ -124,13 +130,18 @@ void ParticleBody::append(std::size_t number, Index node, double mass, const Sta
 {
     ParticleArrays& a = arrays_;
     const ParticlePart& part = parts_[number];
+    const double density = part.constants.density * part.law->initial_compression();
     a.particle.push_back(static_cast<Index>(a.node.size()));
     a.motion.push_back({state.position[node], part.constants.smoothing * part.constants.size_of(mass),
-                        state.velocity[node], mass});
+                        state.velocity[node], options_.volume_weighted ? mass / density : mass});
     a.node.push_back(node);
     a.part.push_back(static_cast<std::uint8_t>(number));
     if (options_.volume_weighted) a.own_mass.push_back(mass);
-    a.density.push_back(part.constants.density * part.law->initial_compression());
+    if (options_.axisymmetric) {
+        a.motion.back().weight /= ring_radius(a.motion.back());
+        a.first_radius.push_back(state.position[node].x);
+    }
+    a.density.push_back(density);
     a.energy.push_back(part.law->initial_energy());
     if (a.history_size == 0) return;
     a.history.resize(a.history.size() + a.history_size);
@@ -150,6 +161,7 @@ void ParticleBody::fill_up()
     }
     if (!a.bonded.empty()) a.bonded.resize(count);
     if (!a.laminar.empty()) a.laminar.resize(count);
+    if (!a.first_radius.empty()) a.moment.resize(count);
     if (!a.rest_pressure.empty()) {
         a.rest_pressure.resize(count);
         a.rest_velocity.resize(count);
@@ -210,8 +222,15 @@ void ParticleBody::sum_rates(const Clock& clock)
 {
     const double step = clock.last_step;
     if (!tensor_) {
-        const DensityDiffusion diffusion = density_diffusion(clock);
+        const DensityDiffusion diffusion = step > 0 ? density_diffusion(clock) : DensityDiffusion{};
         sum_density_rates(options_.kernel, options_.dimension, 0.5 * step, runs_, arrays_, diffusion);
+        if (options_.axisymmetric) {
+            for (Index p = 0; p < arrays_.real_count(); ++p) {
+                double& moment = arrays_.moment[p];
+                moment = ring_moment(moment);
+                arrays_.rate[p] = arrays_.rate[p] / moment - hoop_rate(arrays_.motion[p], 0.5 * step);
+            }
+        }
         return;
     }
     const auto take = [&](const NeighbourRun& run, const GradientSums* sums) {
@@ -224,9 +243,13 @@ void ParticleBody::sum_rates(const Clock& clock)
 void ParticleBody::take_gradient(Index place, double half_step, const GradientSums& sums)
 {
     ParticleArrays& a = arrays_;
-    const double scale = options_.volume_weighted ? 1 : 1 / a.density[place];
+    double scale = options_.volume_weighted ? 1 : 1 / a.density[place];
     const double* v = sums.velocity;
     Tensor3<double> gradient{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]};
+    if (options_.axisymmetric) {
+        a.moment[place] = options_.renormalised ? 1 : ring_moment(0.5 * (sums.moment[0] + sums.moment[1]));
+        scale /= a.moment[place];
+    }
     gradient = scale * gradient;
     if (options_.renormalised) {
         const double* m = sums.moment;
@@ -237,6 +260,7 @@ void ParticleBody::take_gradient(Index place, double half_step, const GradientSu
         gradient = gradient * full;
         a.correction[place] = turned_half(b, half_step * axial_vector(gradient));
     }
+    if (options_.axisymmetric) gradient.zz = hoop_rate(a.motion[place], half_step);
     a.gradient[place] = gradient;
     const double expansion = gradient.xx + gradient.yy + gradient.zz;
     a.rate[place] = options_.volume_weighted ? -expansion : -expansion * a.density[place];
@@ -261,7 +285,9 @@ void ParticleBody::read_motion(const Clock& clock, const State& state)
             a.energy[p] += half_step * heat * part.density / a.mass(p);
             // Volumes at the middle of the step, for the density rates.
             if (part.volume_weighted) motion.weight *= 1 - half_step * a.rate[p];
+            const double radius = options_.axisymmetric ? ring_radius(motion) : 1;
             motion.position = state.position[a.node[p]];
+            if (options_.axisymmetric) motion.weight *= radius / (0.5 * (radius + ring_radius(motion)));
             motion.velocity = velocity;
         }
     });
@@ -314,6 +340,10 @@ void ParticleBody::search(State& state)
         if (!a.bonded.empty()) sort(a.bonded, images);
         sort(a.asleep);
         if (!a.own_mass.empty()) sort(a.own_mass);
+        if (!a.first_radius.empty()) {
+            sort(a.first_radius);
+            sort(a.moment);
+        }
         sort(a.density);
         sort(a.rate);
         sort(a.pressure);
@@ -384,6 +414,11 @@ void ParticleBody::add_pair_forces(const Clock& clock, State& state)
             arrays_.heat[p] = 0;
         }
         take_forces(run, sums, half_step, state);
+        if (!options_.axisymmetric) return;
+        for (Index p = run.begin; p < run.end; ++p) { // hoop stresses, which stand in the zz component
+            state.force[arrays_.node[p]].x +=
+                arrays_.moment[p] * arrays_.motion[p].weight * arrays_.push[p].push;
+        }
     };
     sum_pair_forces(options_.kernel, options_.dimension, options_.viscosity, runs_, arrays_, take);
 }

@@ -23,7 +23,7 @@ struct ParticlePart {
     Index model_part = 0; ///< index in the Model
     Id id = 0;            ///< of the part
     std::vector<Index> nodes;
-    std::vector<double> mass;    ///< by node [mass]
+    std::vector<double> mass;    ///< by node; of rings of the area in the plane [mass]
     std::vector<Index> elements; ///< by node: place in Model::particles, for results; may be empty
     std::shared_ptr<const ParticleLaw> law;
     PartConstants constants;
@@ -34,6 +34,7 @@ struct ParticleOptions {
     Kernel kernel = Kernel::cubic_spline;
     bool own_kernel = false; ///< `kernel` holds, whatever the sections say
     int dimension = 3;
+    bool axisymmetric = false; ///< particles are rings around the y axis (sph/rings.h); with volume weights
     bool volume_weighted = false;      ///< the fluid forms: pairs weighed by volumes instead of masses
     bool renormalised = false;         ///< kernel gradients corrected to be exact for linear fields
     bool failed_carry_nothing = false; ///< failed solids lose their stress (IEROD = 1)

@@ -66,11 +66,17 @@ void read_control(const Record& control, ParticleOptions& options)
     const Id dimension = control.integer("IDIM");
     if (dimension == 2 || dimension == 3) {
         options.dimension = static_cast<int>(dimension);
-    } else if (dimension != 0) {
+    } else if (dimension != 0 && dimension != -2) {
         reject_field(control, "IDIM",
-                     fmt::format("{} is not supported; there are 2 (plane strain) and 3", dimension));
+                     fmt::format("{} is not supported; there are 2 (plane strain), 3 and -2 (axisymmetric)",
+                                 dimension));
     }
     read_form(control, options);
+    if (dimension == -2) {
+        options.dimension = 2;
+        options.axisymmetric = options.volume_weighted = true;
+        options.mirrors.push_back({{}, {1, 0, 0}}); // the axis
+    }
     options.parts_interact = control.integer("CONT") == 0;
     const double last = control.real("DT");
     options.birth = control.real("START");

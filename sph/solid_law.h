@@ -111,7 +111,8 @@ private:
             from(arrays.energy) + 0.5 * middle_volume * contract(stress_before + stress, increment);
         const Lanes sound = sqrt(wave_modulus_ / density);
         const Lanes h = smoothing_length(part, places, compression, arrays);
-        const Lanes stable = stable_step(part, h, sound, -(gradient.xx + gradient.yy + gradient.zz));
+        const Lanes stable = stable_step(part, size_for_step(places, h, arrays), sound,
+                                         -(gradient.xx + gradient.yy + gradient.zz));
 
         ParticleVote vote;
         for (std::size_t l = 0; l < places.size(); ++l) {

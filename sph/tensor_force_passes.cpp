@@ -2,8 +2,6 @@
 
 namespace plash {
 
-template void sum_forces<true>(Kernel, int, const ArtificialViscosity&, const std::vector<NeighbourRun>&,
-                               const ParticleArrays&,
-                               const std::function<void(const NeighbourRun&, const ForceSums*)>&);
+template SumForces sum_forces<true, false>;
 
 } // namespace plash

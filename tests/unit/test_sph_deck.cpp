@@ -15,15 +15,15 @@ namespace plash {
 
 namespace {
 
-/// A plate of 4 x 3 particles of water 10 apart; `extra` are more keywords.
-std::string plate_deck(const std::string& section, const std::string& extra)
+/// A plate of 4 x 3 particles of water 10 apart, from x = left; `extra` are more keywords.
+std::string plate_deck(const std::string& section, const std::string& extra, int left = 0)
 {
     std::string deck = "*KEYWORD\n*CONTROL_TERMINATION\n1e-6\n*PART\nwater\n1,7,3,4\n*SECTION_SPH\n" +
                        section + "\n*MAT_NULL\n3,1e-9,-1,1e-9\n*EOS_GRUNEISEN\n4,1.48e6,1.92,,,0.1\n\n" +
                        extra;
     std::string nodes = "*NODE\n", elements = "*ELEMENT_SPH\n";
     for (int i = 0; i < 12; ++i) {
-        nodes += fmt::format("{},{},{},0\n", 101 + i, 10 * (i % 4), 10 * (i / 4));
+        nodes += fmt::format("{},{},{},0\n", 101 + i, left + 10 * (i % 4), 10 * (i / 4));
         elements += fmt::format("{},1,{}\n", 101 + i, i == 0 ? "-1000" : "1e-6"); // the first one by volume
     }
     return deck + nodes + elements + "*END\n";
@@ -93,6 +93,14 @@ TEST(SphDeck, GradedParticlesHaveSmoothingLengthsByTheirMasses)
         EXPECT_NEAR(a.motion[p].smoothing, a.mass(p) > 2e-6 ? 24 : 12, 1e-12); // CSLH 1.2
     }
     EXPECT_NE(complaint(plate_deck("7", "*PLASH_SPH_FORMULATION\n0\n2\n")).find("GRADED"), std::string::npos);
+}
+
+TEST(SphDeck, MassesOfRingsAreThoseOfTheirAreasTimesTheirRadii)
+{
+    const Scene scene = make_scene(read(plate_deck("7", "*CONTROL_SPH\n1,,,-2\n", 5)));
+    for (int i = 0; i < 12; ++i) EXPECT_DOUBLE_EQ(scene.state.mass[i], 1e-6 * (5 + 10 * (i % 4))) << i;
+    const ParticleArrays& a = body_of(scene).arrays();
+    for (Index p = 0; p < a.real_count(); ++p) EXPECT_NEAR(a.motion[p].weight, 1000, 1e-9); // their areas
 }
 
 TEST(SphDeck, ViscosityOfAnElasticFluidGoesWithTheParticles)
@@ -207,8 +215,15 @@ TEST(SphDeck, SaysWhatIsWrong)
 {
     EXPECT_EQ(complaint(plate_deck("7", "*CONTROL_SPH\n1,,,2,,7\n")),
               "*CONTROL_SPH, field FORM: form 7 is not supported; there are 0 to 6, 12, 15 and 16");
+    EXPECT_EQ(
+        complaint(plate_deck("7", "*CONTROL_SPH\n1,,,1\n")),
+        "*CONTROL_SPH, field IDIM: 1 is not supported; there are 2 (plane strain), 3 and -2 (axisymmetric)");
     EXPECT_EQ(complaint(plate_deck("7", "*CONTROL_SPH\n1,,,-2\n")),
-              "*CONTROL_SPH, field IDIM: -2 is not supported; there are 2 (plane strain) and 3");
+              "*CONTROL_SPH, field IDIM: -2 asks for particles at x > 0, for they are rings around the y "
+              "axis, but particle 101 has x = 0");
+    EXPECT_EQ(complaint(plate_deck("7", "*CONTROL_SPH\n1,,,-2\n*PLASH_SPH_FORMULATION\n,,0.5\n", 5)),
+              "XSPH, SHIFT, TENSILE, GRADED and VISC of *PLASH_SPH_FORMULATION do not work with axisymmetric "
+              "particles (*CONTROL_SPH IDIM = -2)");
     EXPECT_EQ(complaint(plate_deck("7,1.2,3,2", "")),
               "*SECTION_SPH, field HMIN: the smallest smoothing length is above the largest one, HMAX");
     EXPECT_EQ(complaint(plate_deck("7,,,,,,,5", "")),
