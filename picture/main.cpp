@@ -56,6 +56,42 @@ std::array<double, 3> direction(const std::string& view)
     return {v[0], v[1], v[2]};
 }
 
+/// Where the eye is when nobody says: a plane model is seen from in front of its plane.
+std::array<double, 3> own_direction(const std::vector<Surface>& surfaces)
+{
+    std::array<double, 3> size;
+    for (int i = 0; i < 3; ++i) {
+        float low = surfaces.front().bounds[0][i], high = surfaces.front().bounds[1][i];
+        for (const Surface& surface : surfaces) {
+            low = std::min(low, surface.bounds[0][i]);
+            high = std::max(high, surface.bounds[1][i]);
+        }
+        size[i] = high - low;
+    }
+    const double largest = *std::max_element(size.begin(), size.end());
+    const auto thin = [&](int axis) { return size[axis] <= 0.02 * largest; };
+    if (thin(2) && !thin(0) && !thin(1)) return direction("z");
+    if (thin(1) && !thin(0) && !thin(2)) return direction("-y");
+    if (thin(0) && !thin(1) && !thin(2)) return direction("x");
+    return direction("iso");
+}
+
+/// What to colour by when nobody says: von Mises stress, or the pressure where that is all there is, as in
+/// water.
+Quantity own_quantity(RunResults& results, const std::vector<std::size_t>& states)
+{
+    const auto largest = [&](Quantity quantity) {
+        float most = 0;
+        for (std::size_t state : states) {
+            const Surface surface = results.surface(state, quantity);
+            for (float value : surface.values()) most = std::max(most, value);
+        }
+        return most;
+    };
+    const bool fluid = largest(Quantity::von_mises) < 1e-3f * largest(Quantity::pressure);
+    return fluid ? Quantity::pressure : Quantity::von_mises;
+}
+
 std::string folder_name(const std::string& directory)
 {
     return std::filesystem::weakly_canonical(directory).filename().string();
@@ -92,20 +128,24 @@ std::vector<std::size_t> chosen_states(const std::vector<double>& times, const s
 int main(int argument_count, char** arguments)
 {
     CLI::App program{"Draws a run's model at several times into one PNG file", "plash picture"};
-    std::string directory, field = "von_mises", times, view = "iso", output, range, title;
+    std::string directory, field, times, view, output, range, title;
     int frames = 4, width = 1800;
     bool without_edges = false, diagrams = false;
     program.add_option("DIR", directory, "result folder of a run")->required();
     program.add_flag("--diagrams", diagrams,
                      "DIR is a file of diagrams (picture/diagram_file.h) to draw into -o");
-    program.add_option("-f,--field", field, "von_mises, plastic_strain, velocity or displacement")
-        ->capture_default_str();
+    program.add_option(
+        "-f,--field", field,
+        "von_mises, plastic_strain, pressure, velocity or displacement; without it the von Mises "
+        "stress, or the pressure where there is none");
     program.add_option("-t,--times", times, "times to show, separated by commas");
     program.add_option("-n,--frames", frames, "number of times, evenly spread, without --times")
         ->capture_default_str()
         ->check(CLI::Range(1, 24));
-    program.add_option("-v,--view", view, "where the eye is: iso, x, -x, y, -y, z, -z or a direction x,y,z")
-        ->capture_default_str();
+    program.add_option(
+        "-v,--view", view,
+        "where the eye is: iso, x, -x, y, -y, z, -z or a direction x,y,z; without it in front of "
+        "a plane model, else iso");
     program.add_option("-r,--range", range, "ends of the colour scale: low,high");
     program.add_option("-o,--output", output, "PNG file; without it picture.png in DIR");
     program.add_option("--title", title, "instead of the deck's title");
@@ -127,22 +167,23 @@ int main(int argument_count, char** arguments)
             draw_plots(plots, plots.size() == 1 ? 1 : 2, width, output);
             return 0;
         }
-        const Quantity quantity = quantity_named(field);
         StripStyle style;
-        style.from = direction(view);
+        if (!view.empty()) style.from = direction(view);
         if (!range.empty()) {
             const std::vector<double> ends = numbers(range, "--range", 2);
             style.range = {ends[0], ends[1]};
         }
         RunResults results(directory);
         std::vector<Surface> surfaces;
-        for (std::size_t state : chosen_states(results.times(), times, frames)) {
-            surfaces.push_back(results.surface(state, quantity));
-        }
+        const std::vector<std::size_t> states = chosen_states(results.times(), times, frames);
+        const Quantity quantity = field.empty() ? own_quantity(results, states) : quantity_named(field);
+        for (std::size_t state : states) surfaces.push_back(results.surface(state, quantity));
+        if (view.empty()) style.from = own_direction(surfaces);
         style.title = !title.empty()             ? title
                       : !results.title().empty() ? results.title()
                                                  : folder_name(directory);
         style.legend = title_of(quantity);
+        if (quantity == Quantity::pressure) style.beyond = 0.005; // single particles in spray
         style.width = width;
         style.edges = !without_edges && surfaces.front().polygons.size() < 60000;
         if (output.empty()) output = (std::filesystem::path(directory) / "picture.png").string();

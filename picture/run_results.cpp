@@ -75,6 +75,8 @@ void add_values(vtkDataSetAttributes* data, vtkIdType count, const std::vector<s
 void append_particle(const double* middle, double radius, float value, bool value_of_points, Surface& surface)
 {
     const int first = static_cast<int>(surface.points.size());
+    surface.include(
+        {static_cast<float>(middle[0]), static_cast<float>(middle[1]), static_cast<float>(middle[2])});
     for (int axis = 0; axis < 3; ++axis) {
         for (double side : {-radius, radius}) {
             std::array<float, 3> corner;
@@ -89,6 +91,7 @@ void append_particle(const double* middle, double radius, float value, bool valu
         for (int y : {2, 3}) {
             for (int z : {4, 5}) {
                 surface.polygons.push_back({first + x, first + y, first + z});
+                surface.bare.push_back(1);
                 if (!value_of_points) surface.cell_values.push_back(value);
             }
         }
@@ -137,7 +140,11 @@ void append_outside(vtkUnstructuredGrid* grid, Surface& surface)
             continue;
         }
         std::vector<int>& polygon = surface.polygons.emplace_back();
-        for (vtkIdType corner : *corners) polygon.push_back(first + static_cast<int>(corner));
+        for (vtkIdType corner : *corners) {
+            polygon.push_back(first + static_cast<int>(corner));
+            surface.include(surface.points[polygon.back()]);
+        }
+        surface.bare.push_back(0);
         if (cell_values) surface.cell_values.push_back(static_cast<float>(cell_values->GetTuple1(i)));
     }
 }

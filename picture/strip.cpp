@@ -116,17 +116,21 @@ Grid arrange(int count, double aspect, int total_width)
     return best;
 }
 
-vtkSmartPointer<vtkPolyData> poly_data(const Surface& surface)
+/// Its polygons that have edges to show, or those that have not.
+vtkSmartPointer<vtkPolyData> poly_data(const Surface& surface, bool bare)
 {
     vtkNew<vtkPoints> points;
     for (const auto& point : surface.points) points->InsertNextPoint(point.data());
     vtkNew<vtkCellArray> polygons;
-    for (const auto& polygon : surface.polygons) {
+    vtkNew<vtkFloatArray> values;
+    for (float value : surface.point_values) values->InsertNextValue(value);
+    for (std::size_t i = 0; i < surface.polygons.size(); ++i) {
+        if ((surface.bare[i] != 0) != bare) continue;
+        const std::vector<int>& polygon = surface.polygons[i];
         polygons->InsertNextCell(static_cast<int>(polygon.size()));
         for (int corner : polygon) polygons->InsertCellPoint(corner);
+        if (surface.point_values.empty()) values->InsertNextValue(surface.cell_values[i]);
     }
-    vtkNew<vtkFloatArray> values;
-    for (float value : surface.values()) values->InsertNextValue(value);
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->SetPoints(points);
     data->SetPolys(polygons);
@@ -138,16 +142,21 @@ vtkSmartPointer<vtkPolyData> poly_data(const Surface& surface)
     return data;
 }
 
-/// From zero, because every quantity is a magnitude, to the largest value.
-std::array<double, 2> range_of(const std::vector<Surface>& surfaces)
+/// From zero, because every quantity is a magnitude, to the largest value, or to one that only the share
+/// `beyond` of what some state shows exceeds.
+std::array<double, 2> range_of(const std::vector<Surface>& surfaces, double beyond)
 {
-    double largest = 0;
+    double end = 0;
     for (const Surface& surface : surfaces) {
-        for (float value : surface.values()) {
-            if (std::isfinite(value)) largest = std::max<double>(largest, value);
-        }
+        std::vector<float> values = surface.values();
+        std::erase_if(values, [](float value) { return !(std::isfinite(value) && value > 0); });
+        if (values.empty()) continue;
+        const auto excess = static_cast<std::size_t>(beyond * static_cast<double>(values.size()));
+        const auto place = values.end() - 1 - static_cast<std::ptrdiff_t>(excess);
+        std::nth_element(values.begin(), place, values.end());
+        end = std::max<double>(end, *place);
     }
-    return {0, largest > 0 ? largest : 1};
+    return {0, end > 0 ? end : 1};
 }
 
 /// Pale where nothing happens, so that the edges of elements stay visible, then blue, green, yellow, red.
@@ -207,10 +216,10 @@ void add_wall(vtkRenderer* renderer, const Wall& wall, const Triple& from)
     renderer->AddActor(actor);
 }
 
-void add_model(vtkRenderer* renderer, const Surface& surface, vtkColorTransferFunction* colours, bool edges)
+void add_polygons(vtkRenderer* renderer, vtkPolyData* polygons, vtkColorTransferFunction* colours, bool edges)
 {
     vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(poly_data(surface));
+    mapper->SetInputData(polygons);
     mapper->SetLookupTable(colours);
     mapper->UseLookupTableScalarRangeOn();
     vtkNew<vtkActor> actor;
@@ -226,6 +235,12 @@ void add_model(vtkRenderer* renderer, const Surface& surface, vtkColorTransferFu
         look->SetLineWidth(1);
     }
     renderer->AddActor(actor);
+}
+
+void add_model(vtkRenderer* renderer, const Surface& surface, vtkColorTransferFunction* colours, bool edges)
+{
+    add_polygons(renderer, poly_data(surface, false), colours, edges);
+    add_polygons(renderer, poly_data(surface, true), colours, false);
 }
 
 void aim(vtkRenderer* renderer, const View& view, double picture_aspect)
@@ -283,7 +298,7 @@ void draw_strip(const std::vector<Surface>& surfaces, const std::vector<Wall>& w
     const double aspect = (view.high[0] - view.low[0]) / (view.high[1] - view.low[1]);
     const Grid grid = arrange(static_cast<int>(surfaces.size()), aspect, style.width);
     const int pictures_height = grid.rows * grid.height;
-    const auto colouring = colours(style.range.value_or(range_of(surfaces)));
+    const auto colouring = colours(style.range.value_or(range_of(surfaces, style.beyond)));
 
     vtkNew<vtkRenderWindow> window;
     window->SetOffScreenRendering(1);

@@ -14,6 +14,7 @@ struct StripStyle {
     std::string legend;                         ///< of the colour bar
     std::array<double, 3> from{1, -1.6, 0.9};   ///< where the eye is, seen from the model
     std::optional<std::array<double, 2>> range; ///< of the colours; otherwise that of all values
+    double beyond = 0;                          ///< share of values that may exceed that range
     int width = 1800;                           ///< [pixel]
     bool edges = true;                          ///< draw the edges of the elements
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -11,9 +12,19 @@ struct Surface {
     double time = 0;
     std::vector<std::array<float, 3>> points;
     std::vector<std::vector<int>> polygons;
+    std::vector<char> bare; ///< by polygon: 1 has no edges to show, being a facet of a particle
+    /// Box around nodes and middles of particles: low and high ends.
+    std::array<std::array<float, 3>, 2> bounds{{{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}}};
     std::vector<float> point_values; ///< either by point
     std::vector<float> cell_values;  ///< or by polygon
 
+    void include(const std::array<float, 3>& point)
+    {
+        for (int i = 0; i < 3; ++i) {
+            bounds[0][i] = std::min(bounds[0][i], point[i]);
+            bounds[1][i] = std::max(bounds[1][i], point[i]);
+        }
+    }
     const std::vector<float>& values() const { return point_values.empty() ? cell_values : point_values; }
 };
 
