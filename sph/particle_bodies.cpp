@@ -110,12 +110,10 @@ ParticlePart make_part(const Model& model, Index index, const std::vector<Index>
     }
     set_smoothing(section, positions, part.constants);
     part.constants.laminar_viscosity += law.viscosity_by_size * mean_edge(part.mass, law.density, dimension);
-    for (std::string_view field : {"DEATH", "START"}) {
-        if (section.given(field) && section.real(field) != 0) {
-            reject_field(section, field,
-                         "particles of one section cannot come or go alone; *CONTROL_SPH has DT and "
-                         "START for all");
-        }
+    part.birth = section.real("START");
+    if (const double death = section.real("DEATH"); death > 0) part.death = death;
+    if (part.death < part.birth) {
+        reject_field(section, "DEATH", fmt::format("{:g} is before START, {:g}", part.death, part.birth));
     }
     part.constants.viscosity = viscosity_of(model, source);
     return part;
@@ -171,6 +169,22 @@ void check_plane(const std::vector<ParticlePart>& parts, const Model& model, con
                             options.axisymmetric ? -2 : 2, model.nodes.id[node], model.nodes.position[node].z,
                             level));
         }
+}
+
+/// Who sees whom is kept in 64 bits, half of them for those that wait in solids.
+void check_count(const std::vector<ParticlePart>& parts, const Model& model, const ParticleOptions& options)
+{
+    const auto comes_or_goes = [](const ParticlePart& part) {
+        return part.birth > 0 || part.death < forever;
+    };
+    const bool apart = !options.parts_interact || std::any_of(parts.begin(), parts.end(), comes_or_goes);
+    const std::size_t most = model.stand_ins.empty() ? 64 : 32;
+    if (parts.size() <= most || (!apart && model.stand_ins.empty())) return;
+    throw DeckError(
+        model.parts[parts[most].model_part].where,
+        fmt::format("there are {} parts of particles; with CONT = 1 of *CONTROL_SPH, START or DEATH of "
+                    "*SECTION_SPH or *DEFINE_ADAPTIVE_SOLID_TO_SPH no more than {} can be told apart",
+                    parts.size(), most));
 }
 
 /// Rings stand on one side of the axis, and options that move particles besides their velocity know no hoops.
@@ -286,6 +300,7 @@ std::vector<std::unique_ptr<ParticleBody>> make_particle_bodies(const Model& mod
                              parts.back().constants);
     }
     turn_mirrors(parts, model, options);
+    check_count(parts, model, options);
     check_plane(parts, model, options);
     check_rings(parts, model, options);
     check_formulation(parts, model, options);

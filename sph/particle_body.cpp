@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace plash {
 
@@ -84,6 +85,7 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
         arrays_.rest_pressure.resize(real_count_);
         for (const MotionRecord& motion : arrays_.motion) arrays_.rest_velocity.push_back(motion.velocity);
     }
+    alive_ = alive(0);
     if (viscous && options_.laminar_by_velocity) arrays_.laminar.resize(real_count_);
     search(state);
     if (tensor_ || options_.axisymmetric) sum_rates({}); // for what corrects the first forces
@@ -188,7 +190,8 @@ void ParticleBody::add_forces(const Clock& clock, State& state)
     follow_solids(state);
     read_motion(clock, state);
     add_absorbed_work(0.5 * clock.last_step);
-    if (!newcomers.empty() || !lists_hold(state) || anyone_leaves()) search(state);
+    const bool same_parts = alive(clock.time) == std::exchange(alive_, alive(clock.time));
+    if (!newcomers.empty() || !same_parts || !lists_hold(state) || anyone_leaves()) search(state);
     ++cycles_since_search_;
     images_.refresh_motion(arrays_);
     if (clock.last_step > 0) sum_rates(clock);

@@ -27,6 +27,8 @@ struct ParticlePart {
     std::vector<Index> elements; ///< by node: place in Model::particles, for results; may be empty
     std::shared_ptr<const ParticleLaw> law;
     PartConstants constants;
+    double birth = 0;       ///< its particles are particles from here ... [time]
+    double death = forever; ///< ... to here, and nodes that fly freely otherwise [time]
 };
 
 /// How the particles of a scene act on each other.
@@ -85,7 +87,7 @@ public:
         archive(wall_work_, wall_power_, absorbed_force_, absorbed_power_, inflows_, real_count_, hosts_,
                 handed_internal_, lost_kinetic_, bonded_places_, pressed_, pair_power_);
         archive(arrays_, images_, runs_, places_, sleepers_, searches_, departed_, followed_, damped_energy_,
-                regions_at_, skin_, least_skin_, cycles_since_search_);
+                regions_at_, skin_, least_skin_, cycles_since_search_, alive_);
     }
     void collect(const State& state, ElementResults& results) const override;
 
@@ -138,6 +140,7 @@ private:
     double absorbed_power_ = 0;        ///< what goes with it [energy/time]
     double damped_energy_ = 0;         ///< taken from the wake of moving domains and from sleepers [energy]
     std::vector<Vec3> regions_at_;     ///< by region: how far it had travelled at the last search [length]
+    std::uint64_t alive_ = ~0ULL;      ///< by part, a bit each: between birth and death at the last search
     ParticleVote vote_;
 
     void create(const State& state);
@@ -156,6 +159,7 @@ private:
     void set_bonded(double step, const State& state);
     void pass_bonded_forces(State& state) const;
     void read_motion(const Clock& clock, const State& state);
+    std::uint64_t alive(double time) const;
     bool lists_hold(const State& state) const;
     bool leaves(Index place) const;
     bool anyone_leaves() const;

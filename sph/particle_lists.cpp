@@ -130,6 +130,17 @@ bool ParticleBody::lists_hold(const State& state) const
     return passed == 0;
 }
 
+/// The parts between their birth and their death.
+std::uint64_t ParticleBody::alive(double time) const
+{
+    std::uint64_t bits = ~0ULL;
+    for (std::size_t number = 0; number < parts_.size(); ++number) {
+        const ParticlePart& part = parts_[number];
+        if (time < part.birth || time > part.death) bits &= ~(1ULL << number);
+    }
+    return bits;
+}
+
 /// Bonded particles are groups of their own, behind those of the parts: they do not see each other, for their
 /// solids hold them together.
 void ParticleBody::tell_bonded_apart(std::vector<std::uint8_t>& group, std::vector<std::uint64_t>& sees) const
@@ -160,11 +171,18 @@ void ParticleBody::list_neighbours(const ParticleCells& cells)
     a.remember_build();
     images_.copy_skins(a);
     std::vector<std::uint64_t> sees;
-    if (!options_.parts_interact) {
-        for (std::size_t part = 0; part < parts_.size(); ++part) sees.push_back(1ULL << part);
+    if (!options_.parts_interact || alive_ != ~0ULL) {
+        for (std::size_t part = 0; part < parts_.size(); ++part) {
+            sees.push_back(options_.parts_interact ? ~0ULL : 1ULL << part);
+        }
     }
     std::vector<std::uint8_t> group;
     if (!bonded_places_.empty()) tell_bonded_apart(group, sees);
+    for (std::size_t part = 0; part < parts_.size() && alive_ != ~0ULL; ++part) {
+        if (alive_ >> part & 1) continue;
+        sees[part] = 0;
+        for (std::uint64_t& seen : sees) seen &= ~(1ULL << part);
+    }
     build_neighbours(
         cells,
         {a.motion, a.skin, support_, a.asleep, group.empty() ? std::span(a.part) : std::span(group), sees},

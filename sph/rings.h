@@ -11,10 +11,10 @@
 /// v_x / r, which laws see as the zz component. With sigma the stress, the force on a ring is
 ///     F_x = sum of A_i A_j ((r_i sigma_i / M_i + r_j sigma_j / M_j) . grad W)_x - A_i sigma_hoop,
 ///     F_y = sum of A_i A_j (r_i + r_j) / 2 ((sigma_i / M_i + sigma_j / M_j) . grad W)_y.
-/// M_i, half the sum of A_j (x_j - x_i) . grad W, is by how much pair sums give the gradient of a linear field
-/// right: 1 in a lattice, a few percent less in a flow. Without it a uniform pressure p would press outwards
-/// with p A of the hoop and inwards with M p A of the pairs, and a flow without divergence would spread by
-/// v_x / r and close by M v_x / r. Where gradients are corrected by tensors, M is 1.
+/// M_i, half the sum of A_j (x_j - x_i) . grad W, is by how much pair sums give the gradient of a linear
+/// field right: 1 in a lattice, a few percent less in a flow. Without it a uniform pressure p would press
+/// outwards with p A of the hoop and inwards with M p A of the pairs, and a flow without divergence would
+/// spread by v_x / r and close by M v_x / r. Where gradients are corrected by tensors, M is 1.
 ///
 /// Beyond the axis stand images with negative radii: r sigma goes on through the axis as it is, an odd
 /// function, and the pressure of a fluid at rest holds its innermost ring as well as all others. F_y leaves

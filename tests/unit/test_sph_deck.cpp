@@ -211,6 +211,18 @@ TEST(SphDeck, KnowsWhenParticlesLeave)
     EXPECT_EQ(particle_options_of(read(plate_deck("7", ""))).largest_speed, forever);
 }
 
+TEST(SphDeck, PartsComeAndGoWithTheirSection)
+{
+    const auto neighbours = [](const std::string& section) {
+        const Model model = read(plate_deck(section, ""));
+        return body_of(make_scene(model)).mean_neighbours();
+    };
+    EXPECT_GT(neighbours("7,,,,,1e20"), 1) << "the default, written out";
+    EXPECT_EQ(neighbours("7,,,,,,1e-3"), 0) << "not born yet";
+    EXPECT_EQ(complaint(plate_deck("7,,,,,1e-3,2e-3", "")),
+              "*SECTION_SPH, field DEATH: 0.001 is before START, 0.002");
+}
+
 TEST(SphDeck, SaysWhatIsWrong)
 {
     EXPECT_EQ(complaint(plate_deck("7", "*CONTROL_SPH\n1,,,2,,7\n")),
