@@ -40,15 +40,17 @@ private:
             arrays.diffusion.empty() ? flowed : max(flowed + step * from(arrays.diffusion), 0.5 * flowed);
         const Lanes inverse_density = 1.0 / density;
         const Lanes compression = density * (1 / part.density);
+        const Lanes closing = part.volume_weighted ? rate : rate * inverse_density;
+        const Lanes bulk = bulk_viscosity(part, places, step > 0 ? closing : Lanes{}, arrays);
+        const Lanes bulk_work = -0.5 * (exchange_bulk(places, bulk, arrays) + bulk) * volume_change;
         const PressureStep<Lanes> end =
-            advance_pressure(eos_.evaluate(compression), from(arrays.energy), Lanes{}, from(arrays.pressure),
-                             volume_change, fluid_.lowest_pressure);
+            advance_pressure(eos_.evaluate(compression), from(arrays.energy), bulk_work,
+                             from(arrays.pressure), volume_change, fluid_.lowest_pressure);
         const Lanes stiffness = eos_.evaluate(compression).stiffness(compression, end.pressure, end.energy);
         const Lanes floor = broadcast<Lanes>(1e-6 * eos_.bulk_modulus);
         const Lanes sound = sqrt(max(stiffness, floor) * (1 / part.density));
         const Lanes h = smoothing_length(part, places, compression, arrays);
-        const Lanes stable = stable_step(part, size_for_step(places, h, arrays), sound,
-                                         part.volume_weighted ? rate : rate * inverse_density);
+        const Lanes stable = stable_step(part, size_for_step(places, h, arrays), sound, closing);
 
         ParticleVote vote;
         for (std::size_t l = 0; l < places.size(); ++l) {
@@ -57,7 +59,8 @@ private:
             arrays.energy[p] = end.energy[l];
             arrays.pressure[p] = end.pressure[l];
             set_records(part, p, h[l], sound[l], arrays);
-            set_push(part, p, {-end.pressure[l], -end.pressure[l], -end.pressure[l], 0, 0, 0}, arrays);
+            const double normal = -end.pressure[l] - bulk[l];
+            set_push(part, p, {normal, normal, normal, 0, 0, 0}, arrays);
             vote.take({stable[l], p});
         }
         return vote;

@@ -63,6 +63,31 @@ inline Lanes advanced_density(bool logarithmic, Lanes density, Lanes change)
     return density * max(1.0 + bounded, one * (1.0 / 3.0));
 }
 
+/// Pressure of viscosity as solid elements have it, rho l (Q1 l D^2 + Q2 c D) where particles close in with
+/// the rate D (IAVIS = 1); zero where viscosity acts by pairs. closing  rate of the logarithm of density
+/// [1/time]
+inline Lanes bulk_viscosity(const PartConstants& part, std::span<const Index> places, Lanes closing,
+                            const ParticleArrays& arrays)
+{
+    if (part.bulk_length == 0) return Lanes{};
+    const auto from = [&](const auto& value) { return gather(places, value); };
+    const Lanes length = part.bulk_length * from([&](Index p) { return arrays.motion[p].smoothing; });
+    const Lanes sound = from([&](Index p) { return arrays.push[p].sound; });
+    const Lanes density = from([&](Index p) { return arrays.density[p]; });
+    const Lanes rate = max(closing, Lanes{});
+    return density * length * rate *
+           (part.viscosity.quadratic * length * rate + part.viscosity.linear * sound);
+}
+
+/// What it had been before, and keeps what it is now.
+inline Lanes exchange_bulk(std::span<const Index> places, Lanes now, ParticleArrays& arrays)
+{
+    if (arrays.bulk.empty()) return Lanes{};
+    const Lanes before = gather(places, [&](Index p) { return arrays.bulk[p]; });
+    for (std::size_t l = 0; l < places.size(); ++l) arrays.bulk[places[l]] = now[l];
+    return before;
+}
+
 /// What pair loops see of a particle besides its push, from its new density, smoothing length and sound
 /// speed.
 inline void set_records(const PartConstants& part, Index place, double smoothing, double sound,

@@ -54,6 +54,8 @@ struct ParticleArrays {
     std::vector<double> first_radius; ///< at the start [length]
     std::vector<double> moment;       ///< by how much pair sums of linear fields are right [-]
 
+    std::vector<double> bulk; ///< viscosity as of solid elements, where it is asked for; else empty [stress]
+
     std::vector<Vec3> drift; ///< of the particles against their velocity; empty without [velocity]
 
     // Only of bodies whose push is a tensor.
@@ -80,7 +82,7 @@ struct ParticleArrays {
     {
         archive(motion, push, particle, node, part, image, bonded, asleep, own_mass, density, rate, diffusion,
                 pressure, energy, viscous_force, heat, laminar, rest_pressure, rest_velocity, first_radius,
-                moment, drift, tension, gradient, correction, stress, history, skin, build_origin,
+                moment, bulk, drift, tension, gradient, correction, stress, history, skin, build_origin,
                 build_rounding, build_position, build_smoothing);
     }
 };

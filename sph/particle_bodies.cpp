@@ -119,6 +119,13 @@ ParticlePart make_part(const Model& model, Index index, const std::vector<Index>
     return part;
 }
 
+/// Viscosity of solid elements goes by the edge of the cube that a particle fills.
+void set_bulk_length(ParticlePart& part, int dimension)
+{
+    PartConstants& constants = part.constants;
+    constants.bulk_length = mean_edge(part.mass, constants.density, dimension) / constants.smoothing;
+}
+
 /// What all particles of a body must share, for pairs of particles of two parts have one of each.
 void share(const Model& model, const ParticlePart& part, bool first, ParticleOptions& options)
 {
@@ -295,6 +302,7 @@ std::vector<std::unique_ptr<ParticleBody>> make_particle_bodies(const Model& mod
         if (elements[part].empty()) continue;
         parts.push_back(make_part(model, static_cast<Index>(part), elements[part], options.dimension));
         share(model, parts.back(), parts.size() == 1, options);
+        if (options.bulk_viscosity) set_bulk_length(parts.back(), options.dimension);
         if (!options.graded) continue;
         set_graded_smoothing(section_of(model, model.parts[part]), parts.back().mass, options.dimension,
                              parts.back().constants);

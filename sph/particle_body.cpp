@@ -164,6 +164,7 @@ void ParticleBody::fill_up()
     if (!a.bonded.empty()) a.bonded.resize(count);
     if (!a.laminar.empty()) a.laminar.resize(count);
     if (!a.first_radius.empty()) a.moment.resize(count);
+    if (options_.bulk_viscosity) a.bulk.resize(count);
     if (!a.rest_pressure.empty()) {
         a.rest_pressure.resize(count);
         a.rest_velocity.resize(count);
@@ -343,6 +344,7 @@ void ParticleBody::search(State& state)
         if (!a.bonded.empty()) sort(a.bonded, images);
         sort(a.asleep);
         if (!a.own_mass.empty()) sort(a.own_mass);
+        if (!a.bulk.empty()) sort(a.bulk);
         if (!a.first_radius.empty()) {
             sort(a.first_radius);
             sort(a.moment);
@@ -423,7 +425,9 @@ void ParticleBody::add_pair_forces(const Clock& clock, State& state)
                 arrays_.moment[p] * arrays_.motion[p].weight * arrays_.push[p].push;
         }
     };
-    sum_pair_forces(options_.kernel, options_.dimension, options_.viscosity, runs_, arrays_, take);
+    const ArtificialViscosity viscosity =
+        options_.bulk_viscosity ? ArtificialViscosity{0, 0} : options_.viscosity;
+    sum_pair_forces(options_.kernel, options_.dimension, viscosity, runs_, arrays_, take);
 }
 
 void ParticleBody::after_motion(const Clock& clock, State& state)

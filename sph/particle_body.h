@@ -41,7 +41,8 @@ struct ParticleOptions {
     bool renormalised = false;         ///< kernel gradients corrected to be exact for linear fields
     bool failed_carry_nothing = false; ///< failed solids lose their stress (IEROD = 1)
     bool parts_interact = true;        ///< false: particles see only their own part (CONT = 1)
-    ArtificialViscosity viscosity;     ///< of pairs
+    ArtificialViscosity viscosity;     ///< of pairs, or
+    bool bulk_viscosity = false;       ///< of particles, as solid elements have it (IAVIS = 1)
     double density_diffusion = 0;      ///< delta of Molteni & Colagrossi, 0.1 as a rule; fluids only [-]
     double velocity_blend = 0;         ///< epsilon of XSPH, 0.5 as a rule [-]
     double shifting = 0;               ///< strength of particle shifting, 1 as a rule [-]

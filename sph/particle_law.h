@@ -20,6 +20,7 @@ struct PartConstants {
     double smallest_smoothing = 0; ///< [length]
     double largest_smoothing = 0;  ///< [length]
     ArtificialViscosity viscosity;
+    double bulk_length = 0; ///< that viscosity of solid elements goes by, over h; 0: viscosity of pairs [-]
     double laminar_viscosity = 0;     ///< dynamic [stress time]
     bool laminar_by_velocity = false; ///< it does not act along the line of pairs
 

@@ -92,9 +92,15 @@ void read_control(const Record& control, ParticleOptions& options)
                                  erosion));
     }
     options.failed_carry_nothing = erosion == 1;
-    if (control.integer("IAVIS") != 0) {
-        reject_field(control, "IAVIS", "there is Monaghan's artificial viscosity (0) alone");
+    const Id viscosity = control.integer("IAVIS");
+    if (viscosity < 0 || viscosity > 1) {
+        reject_field(
+            control, "IAVIS",
+            fmt::format("{} is not supported; viscosity is Monaghan's (0) or as solid elements have it "
+                        "(1)",
+                        viscosity));
     }
+    options.bulk_viscosity = viscosity == 1;
 }
 
 /// Kernels beyond those of SPHKERN.

@@ -107,12 +107,14 @@ private:
 
         const Lanes compression = density * (1 / part.density);
         const Lanes middle_volume = part.density * (0.5 / before + 0.5 / density);
-        const Lanes energy =
-            from(arrays.energy) + 0.5 * middle_volume * contract(stress_before + stress, increment);
+        const Lanes closing = -(gradient.xx + gradient.yy + gradient.zz);
+        const Lanes bulk = bulk_viscosity(part, places, step > 0 ? closing : Lanes{}, arrays);
+        const Lanes bulk_work = -(exchange_bulk(places, bulk, arrays) + bulk) * expansion;
+        const Lanes energy = from(arrays.energy) +
+                             0.5 * middle_volume * (contract(stress_before + stress, increment) + bulk_work);
         const Lanes sound = sqrt(wave_modulus_ / density);
         const Lanes h = smoothing_length(part, places, compression, arrays);
-        const Lanes stable = stable_step(part, size_for_step(places, h, arrays), sound,
-                                         -(gradient.xx + gradient.yy + gradient.zz));
+        const Lanes stable = stable_step(part, size_for_step(places, h, arrays), sound, closing);
 
         ParticleVote vote;
         for (std::size_t l = 0; l < places.size(); ++l) {
@@ -126,7 +128,9 @@ private:
                 arrays.history[std::size_t(p) * stride + k] = variables[k][l];
             }
             set_records(part, p, h[l], sound[l], arrays);
-            set_push(part, p, arrays.stress[p], arrays);
+            SymmetricTensor<double> pushing = arrays.stress[p];
+            pushing.xx -= bulk[l], pushing.yy -= bulk[l], pushing.zz -= bulk[l];
+            set_push(part, p, pushing, arrays);
             vote.take({stable[l], p});
         }
         return vote;

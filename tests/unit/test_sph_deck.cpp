@@ -128,6 +128,7 @@ TEST(SphDeck, MapsFormsAndBoundaries)
     EXPECT_TRUE(options("*CONTROL_SPH\n1,,,,,5\n").volume_weighted);
     const ParticleOptions fluid = options("*CONTROL_SPH\n1,,,,,6\n1\n");
     EXPECT_TRUE(fluid.volume_weighted && fluid.renormalised && !fluid.parts_interact);
+    EXPECT_TRUE(options("*CONTROL_SPH\n1\n,,,,,,1\n").bulk_viscosity);
     const auto mirrors = options("*BOUNDARY_SPH_SYMMETRY_PLANE\n0,-5,0,0,3,0\n").mirrors;
     ASSERT_EQ(mirrors.size(), 1u);
     EXPECT_EQ(norm(mirrors[0].normal - Vec3{0, 1, 0}), 0);
