@@ -280,7 +280,13 @@ void FacingSegments::index_touches()
 /// The touch of the last step of one of the two with a neighbour of the other, from about this direction: as
 /// segments slide, they meet one after the other. turned: it has them the other way round. Of several that
 /// agree with the direction alike, the one at the first corner.
-const FacingTouch* FacingSegments::old_beside(Index a, Index b, const Vec3& direction, bool& turned) const
+///
+/// Neighbours share an edge, so a pair that goes on with a touch is about as deep as this is. One that would
+/// be deeper on that side has not slid there: a segment between two others that are joined at a fold comes
+/// towards the second from its other side, and would be pushed through it.
+const FacingTouch* FacingSegments::old_beside(Index a, Index b, const Vec3& direction,
+                                              const SegmentOverlap& overlap, double tolerance,
+                                              bool& turned) const
 {
     const FacingTouch* best = nullptr;
     double nearest = 0.5;
@@ -295,13 +301,17 @@ const FacingTouch* FacingSegments::old_beside(Index a, Index b, const Vec3& dire
             const auto common =
                 std::find_first_of(corner.begin(), corner.end(), others.begin(), others.end());
             if (common == corner.end()) continue;
-            const double along = std::abs(dot(old.normal, direction));
+            const bool swapped = round == 0 ? a > other : other > b;
+            const double same_way = (swapped ? -1 : 1) * dot(old.normal, direction);
+            const double along = std::abs(same_way);
+            const double penetration = same_way < 0 ? overlap.deepest_behind() : overlap.deepest();
+            if (penetration > old.penetration + tolerance) continue;
             const std::tuple place(round, static_cast<int>(common - corner.begin()), other);
             if (along < nearest || (along == nearest && (!best || place > best_place))) continue;
             nearest = along;
             best = &old;
             best_place = place;
-            turned = round == 0 ? a > other : other > b;
+            turned = swapped;
         }
     };
     look(a, b, 0);
@@ -343,7 +353,11 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, const Fa
         overlap.turn_round();
     };
     bool turned = false;
-    if (!old) old = old_beside(pair.first, pair.second, normal, turned);
+    if (!old) {
+        // What a step and the tilt of one normal against the other explain.
+        const double tolerance = 0.1 * (gap + depth) + 2 * motion.step_range;
+        old = old_beside(pair.first, pair.second, normal, overlap, tolerance, turned);
+    }
     const Vec3 old_normal = old ? (turned ? -1.0 : 1.0) * old->normal : Vec3{};
     if (fixed) {
         if (old && dot(old_normal, normal) < 0) old = nullptr;

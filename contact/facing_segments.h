@@ -108,7 +108,9 @@ private:
         if (facet_begin_.empty()) return {};
         return {of_facet_.data() + facet_begin_[facet], of_facet_.data() + facet_begin_[facet + 1]};
     }
-    const FacingTouch* old_beside(Index a, Index b, const Vec3& direction, bool& turned) const;
+    /// tolerance  by how much the pair may be deeper than that touch [length]
+    const FacingTouch* old_beside(Index a, Index b, const Vec3& direction, const SegmentOverlap& overlap,
+                                  double tolerance, bool& turned) const;
     bool touch_of(const ContactMotion& motion, double step, const FacingCandidate& candidate,
                   FacingTouch& touch) const;
     void apply_law(const ContactMotion& motion, double stiffness, const SegmentOverlap& overlap,

@@ -1,0 +1,256 @@
+#include "contact/touch.h"
+#include "tests/support/contact_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace plash {
+
+namespace {
+
+using testing::ContactModel;
+
+/// A contact of one surface over all of a Model, whose nodes are moved by hand.
+struct Moved {
+    ContactModel built;
+    ContactMesh mesh;
+    ContactMotion motion;
+    std::vector<Index> number; ///< of the mesh by Model node
+
+    void finish()
+    {
+        ContactSide side;
+        side.kind = ContactSide::Kind::all;
+        const Contact contact;
+        mesh = make_contact_mesh(contact, make_surface(built.model, part_data(built.model), side, {}), {},
+                                 built.model.nodes.position);
+        motion.velocity.resize(mesh.nodes.size());
+        number.resize(built.model.nodes.size(), none);
+        for (const auto& node : mesh.nodes) {
+            number[node.node] = static_cast<Index>(motion.position.size());
+            motion.position.push_back(built.model.nodes.position[node.node]);
+        }
+    }
+
+    /// One step with the velocities as they are.
+    void advance(double step)
+    {
+        Vec3 low = motion.velocity[0], high = low;
+        for (std::size_t i = 0; i < motion.position.size(); ++i) {
+            const Vec3& v = motion.velocity[i];
+            motion.position[i] += step * v;
+            low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+            high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+        }
+        motion.last_step = step;
+        motion.step_range = step * norm(high - low);
+        motion.travelled += motion.step_range;
+    }
+};
+
+/// Search, pairs and touches from cycle to cycle. Quiet nodes are another matter: none is.
+struct Followed {
+    PairSearch search;
+    TouchTable table;
+    TouchFinder::Room room;
+    long searches = 0;
+
+    explicit Followed(const Moved& moved) : search(moved.mesh, moved.built.model.solids.nodes) {}
+
+    PairList& pairs() { return search.pairs(); }
+    /// all: every pair is looked at, whatever it waits for
+    void find(const Moved& moved, bool all = false)
+    {
+        search.update(moved.mesh, moved.motion);
+        if (searches != search.searches()) table.set_owners(pairs().owner);
+        searches = search.searches();
+        std::fill(pairs().quiet.begin(), pairs().quiet.end(), 0);
+        if (all) {
+            std::fill(pairs().due.begin(), pairs().due.end(), 0);
+            std::fill(pairs().others_due.begin(), pairs().others_due.end(), 0);
+        }
+        TouchFinder(moved.mesh, moved.motion, false).find(pairs(), 0, table.owners(), table, room);
+    }
+    std::size_t waiting(const Moved& moved)
+    {
+        const double now = moved.motion.travelled + moved.motion.step_range;
+        return std::count_if(pairs().due.begin(), pairs().due.end(), [&](double due) { return due > now; });
+    }
+    /// Path from now on before which a pair is not looked at.
+    double wait(const Moved& moved, Index node, Index facet)
+    {
+        for (std::size_t pair = 0; pair < pairs().node.size(); ++pair)
+            if (pairs().node[pair] == node && pairs().facet[pair] == facet)
+                return pairs().due[pair] - moved.motion.travelled;
+        ADD_FAILURE() << "no pair of node " << node << " and facet " << facet;
+        return 0;
+    }
+};
+
+/// Sheets that are thin beside their elements, and cubes of solids between them, fly through one another.
+Moved heap(bool solids)
+{
+    Moved moved;
+    const Index sheet = moved.built.add_part(1, 210, 0.05), block = moved.built.add_part(1, 210, 0);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> jitter(-0.2, 0.2);
+    std::vector<Vec3> drift, spin;
+    std::vector<std::size_t> end;
+    for (int body = 0; body < 5; ++body) {
+        if (solids && body % 2 == 0) {
+            moved.built.add_block(block, {-2, -2, 0.9 * body}, {2, 2, 0.9 * body + 0.8}, {4, 4, 1});
+        } else {
+            moved.built.add_sheet(sheet, 6, 6, [&](double u, double v) {
+                return Vec3{6 * u - 3 + jitter(random), 6 * v - 3 + jitter(random),
+                            0.9 * body + 0.4 * jitter(random)};
+            });
+        }
+        end.push_back(moved.built.model.nodes.size());
+        drift.push_back({jitter(random), jitter(random), body % 2 ? -0.5 : 0.5});
+        spin.push_back({0.5 * jitter(random), 0.5 * jitter(random), jitter(random)});
+    }
+    moved.finish();
+    for (std::size_t body = 0, node = 0; body < end.size(); ++body)
+        for (; node < end[body]; ++node)
+            moved.motion.velocity[moved.number[node]] =
+                drift[body] + cross(spin[body], moved.built.model.nodes.position[node]) +
+                0.2 * Vec3{jitter(random), jitter(random), jitter(random)};
+    return moved;
+}
+
+/// A probe 0.2 over (or under) a flat sheet of 8 x 2 facets in z = 0, over the facet at the origin.
+struct ProbeOverSheet : Moved {
+    Index probe, near_facet = none, beside = none, far = none;
+
+    ProbeOverSheet()
+    {
+        const Index sheet = built.add_part(1, 210, 0.01), other = built.add_part(1, 210, 0.02);
+        built.add_sheet(sheet, 8, 2, [](double u, double v) { return Vec3{8 * u - 0.5, 2 * v - 0.5, 0}; });
+        probe = built.add_node({0, 0, 0.2});
+        built.add_shell(other, {probe, built.add_node({0, 0, 50}), built.add_node({0, 1, 50}),
+                                built.add_node({1, 0, 50})});
+        finish();
+        probe = number[probe];
+        for (std::size_t facet = 0; facet < mesh.facets.size(); ++facet) {
+            const auto& corner = mesh.facets[facet].corner;
+            const Vec3 middle = 0.5 * (motion.position[corner[0]] + motion.position[corner[2]]);
+            if (norm(middle) < 1e-9) near_facet = static_cast<Index>(facet);
+            if (norm(middle - Vec3{1, 0, 0}) < 1e-9) beside = static_cast<Index>(facet);
+            if (norm(middle - Vec3{2, 0, 0}) < 1e-9) far = static_cast<Index>(facet);
+        }
+    }
+};
+
+} // namespace
+
+/// A thin sheet is touched within the thicknesses, 0.005 + 0.01; behind its plane it holds, as deep as a
+/// quarter of the diagonal, what touched it or a facet beside it.
+TEST(TouchWaits, SheetsReachBehindTheirPlaneOnlyForWhatTouchedThemOrTheirNeighbours)
+{
+    const ProbeOverSheet set;
+    const double gap = 0.015;
+    Followed followed(set);
+    followed.find(set);
+    EXPECT_NEAR(followed.wait(set, set.probe, set.near_facet), 0.2 - gap, 1e-14);
+    EXPECT_NEAR(followed.wait(set, set.probe, set.beside), std::hypot(0.5, 0.2) - gap, 1e-14);
+    const auto owners = followed.pairs().owner;
+    const auto owner = std::lower_bound(owners.begin(), owners.end(), set.probe) - owners.begin();
+    const auto with_touch_of = [&](Index facet, Index asked) {
+        Touch touch;
+        touch.node = set.probe;
+        touch.facet = facet;
+        touch.normal = {0, 0, -1};
+        touch.penetration = 0.215;
+        followed.table.put(owner, {{touch}});
+        followed.find(set, true);
+        return followed.wait(set, set.probe, asked);
+    };
+    const double depth = std::sqrt(2.0) / 4;
+    EXPECT_NEAR(with_touch_of(set.near_facet, set.near_facet), 0.2 - depth, 1e-14) << "it touches";
+    EXPECT_EQ(with_touch_of(set.beside, set.near_facet), 0) << "from another facet all is looked at anew";
+    ASSERT_EQ(followed.table.count(owner), 1);
+    EXPECT_EQ(followed.table.facets(0)[owner], set.near_facet) << "it slides over the common edge";
+    EXPECT_NEAR(with_touch_of(set.far, set.near_facet), 0.2 - gap, 1e-14);
+    EXPECT_EQ(followed.table.count(owner), 0);
+}
+
+/// In front of a solid's face a node waits for the thickness; behind it for the depth if the node touches
+/// anything, else for the tenth of it in which nodes count as having just come in; beside it for the overhang
+/// of 0.025 of the side.
+TEST(TouchWaits, SolidsReachOutwardByTheThicknessAndInwardByTheirDepth)
+{
+    for (const double height : {0.3, -0.3}) {
+        Moved set;
+        const Index block = set.built.add_part(1, 210, 0), other = set.built.add_part(1, 210, 0.02);
+        set.built.add_block(block, {-1, -1, -2}, {1, 1, 0}, {2, 2, 2});
+        Index probe = set.built.add_node({0.4, 0.4, height});
+        set.built.add_shell(other, {probe, set.built.add_node({0, 0, 50}), set.built.add_node({0, 1, 50}),
+                                    set.built.add_node({1, 0, 50})});
+        set.finish();
+        set.motion.last_step = 0.01; // not the first cycle
+        probe = set.number[probe];
+        Index top = none, next = none;
+        for (std::size_t facet = 0; facet < set.mesh.facets.size(); ++facet) {
+            const auto& corner = set.mesh.facets[facet].corner;
+            const Vec3 middle = 0.5 * (set.motion.position[corner[0]] + set.motion.position[corner[2]]);
+            if (norm(middle - Vec3{0.5, 0.5, 0}) < 1e-9) top = static_cast<Index>(facet);
+            if (norm(middle - Vec3{-0.5, 0.5, 0}) < 1e-9) next = static_cast<Index>(facet);
+        }
+        const double gap = 0.01, depth = set.mesh.facets[top].depth, overhang = 0.025 - gap;
+        EXPECT_NEAR(depth, 0.5, 1e-12) << "half of volume / area";
+        Followed followed(set);
+        followed.find(set);
+        if (height > 0) {
+            EXPECT_NEAR(followed.wait(set, probe, top), 0.3 - gap, 1e-14);
+            // Over the next facet it would have to come down and across.
+            EXPECT_NEAR(followed.wait(set, probe, next),
+                        std::min(0.4 - overhang, std::hypot(0.4, 0.3) - 0.1 * depth), 1e-14);
+            continue;
+        }
+        EXPECT_NEAR(followed.wait(set, probe, top), 0.3 - 0.1 * depth, 1e-14) << "it did not come in here";
+        const auto& owners = followed.pairs().owner;
+        const auto owner = std::lower_bound(owners.begin(), owners.end(), probe) - owners.begin();
+        Touch touch;
+        touch.node = probe;
+        touch.facet = top;
+        touch.normal = {0, 0, 1};
+        touch.penetration = 0.31;
+        followed.table.put(owner, {{touch}});
+        followed.find(set, true);
+        EXPECT_NEAR(followed.wait(set, probe, top), 0.3 - depth, 1e-14) << "it touches";
+    }
+}
+
+/// Waiting changes nothing but the work: bodies that fly through one another touch as if every pair were
+/// looked at in every cycle.
+TEST(TouchWaits, NoTouchIsMissed)
+{
+    for (const bool solids : {false, true}) {
+        Moved moved = heap(solids);
+        Followed waits(moved), looks(moved);
+        std::size_t touches = 0, waiting = 0, pairs = 0;
+        for (int cycle = 0; cycle < 500; ++cycle) {
+            waits.find(moved);
+            looks.find(moved, true);
+            const std::vector<Touch> one = waits.table.list(moved.mesh, moved.motion).all;
+            const std::vector<Touch> all = looks.table.list(moved.mesh, moved.motion).all;
+            ASSERT_EQ(one.size(), all.size()) << "cycle " << cycle << ", solids " << solids;
+            for (std::size_t i = 0; i < one.size(); ++i) {
+                EXPECT_EQ(one[i].node, all[i].node);
+                EXPECT_EQ(one[i].facet, all[i].facet);
+                EXPECT_EQ(one[i].penetration, all[i].penetration);
+                EXPECT_EQ(one[i].baseline, all[i].baseline);
+            }
+            touches += one.size();
+            waiting += waits.waiting(moved);
+            pairs += waits.pairs().node.size();
+            moved.advance(0.005);
+        }
+        EXPECT_GT(touches, 2000u) << solids;
+        EXPECT_GT(waiting, 0.8 * pairs) << solids;
+    }
+}
+
+} // namespace plash
