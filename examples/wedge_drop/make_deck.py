@@ -19,6 +19,7 @@ BASIN = (120.0, 60.0)   # [mm] half width, height of the region of particles
 CELL = 12.0             # [mm] edge of the trough's solids
 REACH = 100.0           # [mm] half width of the wedge
 PLATE = 8.0             # [mm] height of the wedge's plate
+DAMPING = 0.0           # VDC
 LINEAR = 0.06           # linear artificial viscosity, LS-DYNA's default
 # Numbers of parts, which are also those of sections and, but for the water, materials.
 WEDGE, SOLIDS, WATER = 1, 2, 3
@@ -36,6 +37,7 @@ def arguments():
     parser.add_argument("--linear", type=float, default=LINEAR, help="artificial viscosity Q2")
     parser.add_argument("--basin", type=float, nargs=2, default=BASIN, help="half width, height of the particles [mm]")
     parser.add_argument("--cell", type=float, help="of the mesh with --fluid ale, if not as the particles [mm]")
+    parser.add_argument("--damping", type=float, default=DAMPING, help="of the contact of wedge and water, per cent of critical")
     parser.add_argument("--plane", action="store_true", help="plane strain: one layer of particles")
     parser.add_argument("--plain", action="store_true", help="LS-DYNA's default particles, without *PLASH_ keywords")
     return parser.parse_args()
@@ -44,8 +46,7 @@ def arguments():
 class Deck:
     """Nodes and elements that are collected before they are written."""
 
-    def __init__(self, depth):
-        self.depth = depth  # of the slice [mm]
+    def __init__(self):
         self.nodes, self.solids, self.particles = [], [], []
 
     def node(self, x, y, z, constraint=0):
@@ -73,11 +74,11 @@ def add_wedge(deck, spacing, deadrise):
         x = REACH * i / pieces
         return [deck.node(x, rise * x + height, z) for height in (0.0, PLATE)]
 
-    columns = [[column(i, z) for z in (0.0, deck.depth)] for i in range(-1, pieces + 1)]
+    columns = [[column(i, z) for z in (0.0, SLICE)] for i in range(-1, pieces + 1)]
     for left, right in zip(columns, columns[1:]):
         corners = [corner for (l, r) in zip(left, right) for corner in (l[0], r[0], r[1], l[1])]
         deck.solids.append((WEDGE, corners))
-    return (pieces + 1) * (REACH / pieces) * PLATE * deck.depth  # its volume
+    return (pieces + 1) * (REACH / pieces) * PLATE * SLICE  # its volume
 
 
 def add_trough(deck, basin):
@@ -91,7 +92,7 @@ def add_trough(deck, basin):
             on_wall = i in (0, columns)
             bottom = j == rows
             code = 7 if (on_wall and bottom) else 6 if on_wall else 5 if bottom else 3
-            numbers[i, j, k] = deck.node(CELL * i, -CELL * j, deck.depth * k, code)
+            numbers[i, j, k] = deck.node(CELL * i, -CELL * j, SLICE * k, code)
         return numbers[i, j, k]
 
     for j in range(rows):
@@ -103,13 +104,12 @@ def add_trough(deck, basin):
             deck.solids.append((SOLIDS, corners))
 
 
-def add_water(deck, spacing, basin):
+def add_water(deck, spacing, basin, layers):
     columns, rows = round(basin[0] / spacing), round(basin[1] / spacing)
-    layers = max(1, round(deck.depth / spacing))
     for j in range(rows):
         for i in range(columns):
             for k in range(layers):
-                z = (k + 0.5) * deck.depth / layers
+                z = (k + 0.5) * SLICE / layers
                 deck.particles.append(deck.node((i + 0.5) * spacing, -(j + 0.5) * spacing, z))
 
 
@@ -133,6 +133,11 @@ $     hgid       ihq        qm       ibq        q1        q2
          3         1       0.1         0       1.5{:10.4g}
 """
 
+THIN = """*MAT_NULL
+$ particles of a plane model stand for a depth of 1 mm, the solids are three times as deep: their step is as much longer
+         4{:10.4g}    -1e+20{:10.4g}
+"""
+
 # The two sides of the slice, as *BOUNDARY_SPH_SYMMETRY_PLANE has them.
 SIDES = f"""         0         0         0         0         0         1
          0         0{SLICE:10.4g}         0         0         0
@@ -141,11 +146,11 @@ SIDES = f"""         0         0         0         0         0         1
 
 def main():
     args = arguments()
-    depth = 1.0 if args.plane else SLICE
-    deck = Deck(depth)
+    depth = 1.0 if args.plane else SLICE  # that the particles and the forces stand for
+    deck = Deck()
     wedge_volume = add_wedge(deck, args.spacing, args.deadrise)
     add_trough(deck, args.basin)
-    add_water(deck, args.spacing, args.basin)
+    add_water(deck, args.spacing, args.basin, 1 if args.plane else max(1, round(SLICE / args.spacing)))
     # The slice carries its share of half of the wedge.
     wedge_density = 1e-3 * args.mass / DEPTH * depth / 2 / wedge_volume
     viscosity = "" if args.linear == LINEAR else VISCOSITY_CARD.format(args.linear)
@@ -193,10 +198,10 @@ $      cmo      con1      con2
 *PART
 trough
 $      pid     secid       mid     eosid      hgid
-{SOLIDS:10d}         2         2         2         2
+{SOLIDS:10d}         2{4 if args.plane else 2:10d}         2         2
 *SECTION_SOLID
          2         1
-*MAT_NULL
+{THIN.format(DENSITY / SLICE, VISCOSITY / SLICE) if args.plane else ""}*MAT_NULL
 $      mid        ro        pc        mu
          2{DENSITY:10.4g}    -1e+20{VISCOSITY:10.4g}
 *EOS_GRUNEISEN
@@ -224,7 +229,8 @@ $ particles as thick as they are apart, soft penalty as in the paper
          1wedge
 $    surfa     surfb  surfatyp  surfbtyp
 {WATER:10d}{WEDGE:10d}         3         3
-
+$       fs        fd        dc        vc       vdc
+         0         0         0         0{args.damping:10.4g}
 $     sfsa      sfsb      sast
          1         1{args.spacing:10.4g}
 $     soft    sofscl
