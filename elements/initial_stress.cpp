@@ -1,5 +1,6 @@
 #include "elements/initial_stress.h"
 
+#include "conditions/depth_stress.h"
 #include "materials/parameters.h"
 
 #include <algorithm>
@@ -74,11 +75,32 @@ InitialStresses read_stresses(const Model& model, std::string_view keyword, std:
     return stresses;
 }
 
+/// z of the middle of a solid's nodes [length].
+double middle_height(const Model& model, std::size_t element)
+{
+    double sum = 0;
+    for (const Index node : model.solids.nodes[element]) sum += model.nodes.position[node].z;
+    return sum / static_cast<double>(model.solids.nodes[element].size());
+}
+
 } // namespace
 
+/// A single point in the middle of each solid for *INITIAL_STRESS_DEPTH.
 InitialStresses initial_solid_stresses(const Model& model)
 {
-    return read_stresses(model, "INITIAL_STRESS_SOLID", "SIGXX", model.solids.id, model.solid_sets);
+    InitialStresses stresses;
+    for (const DepthStress& depth : depth_stresses(model)) {
+        for (std::size_t element = 0; element < model.solids.size(); ++element) {
+            if (model.solids.part[element] != depth.part) continue;
+            stresses[static_cast<Index>(element)] = {depth.where,
+                                                     {{0, depth.at(middle_height(model, element)), 0}}};
+        }
+    }
+    for (auto& [element, stress] :
+         read_stresses(model, "INITIAL_STRESS_SOLID", "SIGXX", model.solids.id, model.solid_sets)) {
+        stresses[element] = std::move(stress);
+    }
+    return stresses;
 }
 
 InitialStresses initial_shell_stresses(const Model& model)

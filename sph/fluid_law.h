@@ -4,6 +4,9 @@
 #include "materials/null_fluid.h"
 #include "sph/law_lanes.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace plash {
 
 /// *MAT_NULL with an equation of state: no strength but viscosity, and a pressure that tension cuts off.
@@ -14,6 +17,20 @@ public:
 
     double initial_energy() const override { return eos_.energy; }
     double initial_compression() const override { return 1 / eos_.relative_volume; }
+
+    /// Newton's method from the start of the equation of state.
+    double compression_at(double pressure) const override
+    {
+        double compression = initial_compression();
+        for (int round = 0; round < 50; ++round) {
+            const PressureResponse<double> response = eos_.evaluate(compression);
+            const double slope = response.cold_slope + response.warm_slope * eos_.energy;
+            const double change = (pressure - response.pressure(eos_.energy)) / slope;
+            if (!(std::abs(change) > 1e-15 * compression)) break; // a slope of zero, too
+            compression = std::clamp(compression + change, 0.5 * compression, 2 * compression);
+        }
+        return compression;
+    }
 
     ParticleVote advance(const PartConstants& part, std::span<const Index> places, double step,
                          ParticleArrays& arrays) const override

@@ -84,6 +84,16 @@ void set_graded_smoothing(const Record& section, const std::vector<double>& mass
     constants.largest_smoothing *= ratio;
 }
 
+void set_weight(const DepthStress& weight, ParticlePart& part)
+{
+    if (part.law->has_strength() || weight.lateral != 1) {
+        throw DeckError(weight.where, fmt::format("*INITIAL_STRESS_DEPTH: the particles of part {} must be a "
+                                                  "fluid, and KFACT must be 1, as pressure acts alike",
+                                                  part.id));
+    }
+    part.weight = weight;
+}
+
 ParticlePart make_part(const Model& model, Index index, const std::vector<Index>& elements, int dimension)
 {
     const Part& source = model.parts[index];
@@ -116,6 +126,9 @@ ParticlePart make_part(const Model& model, Index index, const std::vector<Index>
         reject_field(section, "DEATH", fmt::format("{:g} is before START, {:g}", part.death, part.birth));
     }
     part.constants.viscosity = viscosity_of(model, source);
+    for (const DepthStress& weight : depth_stresses(model)) {
+        if (weight.part == index) set_weight(weight, part);
+    }
     return part;
 }
 

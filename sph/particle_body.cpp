@@ -132,7 +132,7 @@ void ParticleBody::append(std::size_t number, Index node, double mass, const Sta
 {
     ParticleArrays& a = arrays_;
     const ParticlePart& part = parts_[number];
-    const double density = part.constants.density * part.law->initial_compression();
+    const double density = part.density_at_rest(model_.nodes.position[node]);
     a.particle.push_back(static_cast<Index>(a.node.size()));
     a.motion.push_back({state.position[node], part.constants.smoothing * part.constants.size_of(mass),
                         state.velocity[node], options_.volume_weighted ? mass / density : mass});

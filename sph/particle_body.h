@@ -1,5 +1,6 @@
 #pragma once
 
+#include "conditions/depth_stress.h"
 #include "core/term.h"
 #include "model/model.h"
 #include "sph/active_region.h"
@@ -29,6 +30,14 @@ struct ParticlePart {
     PartConstants constants;
     double birth = 0;       ///< its particles are particles from here ... [time]
     double death = forever; ///< ... to here, and nodes that fly freely otherwise [time]
+    std::optional<DepthStress> weight; ///< of what lies above, at the start
+
+    /// Density at rest of a particle that started at a place [mass/volume].
+    double density_at_rest(const Vec3& start) const
+    {
+        return constants.density *
+               (weight ? law->compression_at(-weight->vertical(start.z)) : law->initial_compression());
+    }
 };
 
 /// How the particles of a scene act on each other.

@@ -188,7 +188,7 @@ double ParticleBody::calm_particle(const CalmZone& zone, Index place, double ste
     const Vec3 home = zone.home(model_.nodes.position[node], position);
     position = home + kept * (position - home);
     const ParticlePart& part = parts_[a.part[place]];
-    const double at_rest = part.constants.density * part.law->initial_compression();
+    const double at_rest = part.density_at_rest(model_.nodes.position[node]);
     a.density[place] = at_rest + kept * (a.density[place] - at_rest);
     const double energy = part.law->initial_energy();
     const double heat = (1 - kept) * (a.energy[place] - energy) * mass / part.constants.density;

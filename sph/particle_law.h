@@ -52,9 +52,11 @@ public:
 
     virtual double initial_energy() const { return 0; }      ///< by reference volume [energy/volume]
     virtual double initial_compression() const { return 1; } ///< density over reference density
-    virtual bool has_strength() const { return false; }      ///< needs velocity gradients and a stress tensor
-    virtual double shear_sound() const { return 0; }         ///< over that of longitudinal waves [-]
-    virtual int history_size() const { return 0; }           ///< variables of a particle
+    /// Density over reference density where the pressure is given, with the energy of the start.
+    virtual double compression_at(double /*pressure*/) const { return initial_compression(); }
+    virtual bool has_strength() const { return false; } ///< needs velocity gradients and a stress tensor
+    virtual double shear_sound() const { return 0; }    ///< over that of longitudinal waves [-]
+    virtual int history_size() const { return 0; }      ///< variables of a particle
     virtual void start_history(double* /*variables*/) const {}
     virtual double plastic_strain(const double* /*variables*/) const { return 0; } ///< effective [-]
 

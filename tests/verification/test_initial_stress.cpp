@@ -76,6 +76,23 @@ TEST(InitialStress, SolidsStartUnderTheirStress)
     }
 }
 
+/// *INITIAL_STRESS_DEPTH: the stress of the middle of each solid, x and y by KFACT.
+TEST(InitialStress, GrowsWithTheDepth)
+{
+    SolidBlock block({1, 1, 2}, {1, 1, 2}, metal());
+    block.model.others.push_back(
+        record_of("INITIAL_STRESS_DEPTH", 0, {{"PID", 1}, {"RO_G", 0.02}, {"ZDATUM", 3}, {"KFACT", 0.4}}));
+    State state = block.state();
+    auto groups = make_solid_groups(block.model, state);
+    const auto results = testing::solid_results(block.model, state, groups);
+    for (int layer = 0; layer < 2; ++layer) {
+        const double vertical = 0.02 * (layer + 0.5 - 3); // solids 1 high, from z = 0
+        EXPECT_NEAR(results.solid_stress[layer].zz, vertical, 1e-14);
+        EXPECT_NEAR(results.solid_stress[layer].xx, 0.4 * vertical, 1e-14);
+        EXPECT_NEAR(results.solid_stress[layer].yy, 0.4 * vertical, 1e-14);
+    }
+}
+
 /// Eight points, each with its own stress, in the order of the corners: bending about z. The corner forces
 /// are the exact integrals of a stress that is linear in y: for sxx = y (2 y - 1 at the points) the couple of
 /// the upper and lower nodes.
