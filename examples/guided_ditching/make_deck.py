@@ -131,6 +131,25 @@ def height_across(y, radius):
     return sagitta(y) if radius > 0 else sagitta(HALF_WIDTH) - sagitta(y)
 
 
+GRAVITY = 9810.0  # [mm/s^2]
+
+
+def gravities():
+    """With or without gravity, which the water carries from the start."""
+    write("gravity_off.k", "$ no gravity\n")
+    write("gravity_on.k", f"""$ on everything; the water starts with the pressure of its depth
+*LOAD_BODY_Z
+         2{GRAVITY:10.4g}
+*DEFINE_CURVE
+         2
+                 0.0                 1.0
+              1000.0                 1.0
+*INITIAL_STRESS_DEPTH
+$      pid      ro_g    zdatum     kfact
+{WATER:10d}{DENSITY * GRAVITY:10.4g}         0         1
+""")
+
+
 TROLLEY = 0.837  # [t], recalled and unverified (no printed source at hand)
 
 
@@ -169,9 +188,10 @@ Guided ditching, pitch {args.pitch:g} degrees{"" if math.isinf(args.radius) else
 $ units: t, mm, s, N, MPa; written by make_deck.py
 *PARAMETER
 $ speed along the tank and down [mm/s], end [s]; panel rigid, 15mm, 3mm, 08mm; water moving, full or graded
-$ guide driven or trolley
+$ guide driven or trolley; gravity on or off
 R    SPEED{args.speed:10.4g}R     SINK    1500.0R      END{args.end:10.4g}
 C    PANEL     rigidC    WATER    movingC    GUIDE    driven
+C  GRAVITY        on
 *PARAMETER_EXPRESSION
 R    EVERY &END/450
 R   STATES &END/15
@@ -179,6 +199,8 @@ R   STATES &END/15
 panel_&PANEL.k
 *INCLUDE
 water_&WATER.k
+*INCLUDE
+gravity_&GRAVITY.k
 *CONTROL_TERMINATION
       &END
 *CONTROL_ENERGY
@@ -278,6 +300,7 @@ def main():
     else:
         panels()
         guides()
+        gravities()
         print(water("water_moving.k", args.spacing, -BEHIND, AHEAD, True), "particles")
         deck(args)
 
