@@ -433,9 +433,15 @@ void ParticleBody::add_pair_forces(const Clock& clock, State& state)
 void ParticleBody::after_motion(const Clock& clock, State& state)
 {
     if (!arrays_.drift.empty()) {
+        const bool carries = !arrays_.gradient.empty() && options_.velocity_blend == 0;
         for_chunks(arrays_.drift.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t p = begin; p < end; ++p) {
-                state.position[arrays_.node[p]] += clock.step * arrays_.drift[p];
+                const Vec3 moved = clock.step * arrays_.drift[p];
+                state.position[arrays_.node[p]] += moved;
+                if (!carries) continue;
+                const Vec3 change = arrays_.gradient[p] * moved;
+                state.velocity[arrays_.node[p]] += change;
+                arrays_.motion[p].velocity += change; // whose change otherwise is what forces do
             }
         });
     }
