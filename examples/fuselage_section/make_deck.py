@@ -179,8 +179,9 @@ water
 {WATER:10d}       1.5       0.2         2
 *MAT_NULL
 {WATER:10d}  1.00e-09    -1e-06     1e-09
-*EOS_MURNAGHAN
-{WATER:10d}       7.0{1e-9 * 150e3 ** 2 / 7:10.6g}
+*EOS_GRUNEISEN
+{WATER:10d}   150.0e3     1.979         0         0      0.11
+
 *CONTROL_SPH
          1         0     1e+20         3
 *PLASH_SPH_FORMULATION
