@@ -81,6 +81,18 @@ std::uint32_t parts_with(const std::vector<Index>& part_of_element, std::size_t 
     return static_cast<std::uint32_t>(std::count(used.begin(), used.end(), true));
 }
 
+/// Number of parts that have no element at all. Readers sum up the numbers of parts by kinds of elements and
+/// trust that no material is above: VTK's breaks down otherwise.
+std::uint32_t parts_without_elements(const Model& model)
+{
+    std::vector<bool> used(model.parts.size());
+    for (const auto* parts : {&model.solids.part, &model.thick_shells.part, &model.beams.part,
+                              &model.shells.part, &model.particles.part}) {
+        for (Index part : *parts) used[part] = true;
+    }
+    return static_cast<std::uint32_t>(std::count(used.begin(), used.end(), false));
+}
+
 /// The 64 words that every reader starts from.
 std::vector<std::uint32_t> control_block(const Model& model, const D3plotLayout& layout)
 {
@@ -98,7 +110,7 @@ std::vector<std::uint32_t> control_block(const Model& model, const D3plotLayout&
     words[18] = count(layout.global_words());
     words[20] = words[21] = words[22] = 1; // IU, IV, IA
     words[23] = count(layout.solids.size());
-    words[24] = parts_with(model.solids.part, part_count);
+    words[24] = parts_with(model.solids.part, part_count) + parts_without_elements(model);
     words[27] = count(layout.solid_words());
     words[28] = count(layout.beams.size());
     words[29] = parts_with(model.beams.part, part_count);

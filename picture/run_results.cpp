@@ -17,6 +17,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkThreshold.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -111,6 +112,56 @@ vtkDataArray* smoothing_lengths(vtkCellData* data)
     return nullptr;
 }
 
+/// Density and volume fractions of Eulerian cells, the history variables of solids in d3plot; nullptr where
+/// the fractions do not make up every cell, as in solids.
+vtkDataArray* fluid_of(vtkUnstructuredGrid* grid)
+{
+    vtkDataArray* fluid = grid->GetCellData()->GetArray("IntPtData");
+    if (!fluid || fluid->GetNumberOfComponents() < 2) return nullptr;
+    for (vtkIdType cell = 0; cell < fluid->GetNumberOfTuples(); ++cell) {
+        double sum = 0;
+        for (int i = 1; i < fluid->GetNumberOfComponents(); ++i) sum += fluid->GetComponent(cell, i);
+        if (!(std::abs(sum - 1) < 1e-3)) return nullptr;
+    }
+    return fluid;
+}
+
+/// Cells lighter than this share of the heaviest one are void, or gas around a liquid, and not drawn.
+constexpr double lightest_share = 0.2;
+
+/// Largest density of the Eulerian cells; 0 without any.
+double heaviest_cell(vtkMultiBlockDataSet* blocks)
+{
+    double largest = 0;
+    for (unsigned i = 0; i < blocks->GetNumberOfBlocks(); ++i) {
+        vtkDataObject* block = blocks->GetBlock(i);
+        if (auto* inner = vtkMultiBlockDataSet::SafeDownCast(block)) {
+            largest = std::max(largest, heaviest_cell(inner));
+        }
+        auto* grid = vtkUnstructuredGrid::SafeDownCast(block);
+        vtkDataArray* fluid = grid ? fluid_of(grid) : nullptr;
+        for (vtkIdType cell = 0; fluid && cell < fluid->GetNumberOfTuples(); ++cell) {
+            largest = std::max(largest, fluid->GetComponent(cell, 0));
+        }
+    }
+    return largest;
+}
+
+/// The cells of a grid that are worth drawing.
+vtkSmartPointer<vtkUnstructuredGrid> without_void(vtkUnstructuredGrid* grid, double heaviest)
+{
+    if (!(heaviest > 0) || !fluid_of(grid)) return grid;
+    vtkNew<vtkThreshold> filled;
+    filled->SetInputData(grid);
+    filled->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "IntPtData");
+    filled->SetSelectedComponent(0);
+    filled->SetComponentModeToUseSelected();
+    filled->SetThresholdFunction(vtkThreshold::THRESHOLD_UPPER);
+    filled->SetUpperThreshold(lightest_share * heaviest);
+    filled->Update();
+    return filled->GetOutput();
+}
+
 /// Appends the outside of a grid that carries the values.
 void append_outside(vtkUnstructuredGrid* grid, Surface& surface)
 {
@@ -191,6 +242,7 @@ struct RunResults::D3plotSource : RunResults::Source {
     {
         reader->SetTimeStep(static_cast<vtkIdType>(state));
         reader->Update();
+        heaviest_ = heaviest_cell(reader->GetOutput());
         Surface surface;
         append_blocks(reader->GetOutput(), false, quantity, surface);
         if (!has_particles) return surface;
@@ -235,9 +287,12 @@ struct RunResults::D3plotSource : RunResults::Source {
                 points("Deflection");
                 break;
             }
-            append_outside(grid, surface);
+            append_outside(without_void(grid, heaviest_), surface);
         }
     }
+
+private:
+    double heaviest_ = 0; ///< Eulerian cell of the state
 };
 
 struct RunResults::VtuSource : RunResults::Source {

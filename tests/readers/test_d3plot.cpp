@@ -170,6 +170,24 @@ TEST(D3plot, KeepsElementsWithTheirNodesAndNumbers)
     }
 }
 
+/// A part without elements, whose number stands before all others (decks have them; that of an Eulerian
+/// mesh's materials has none): VTK's reader broke down on them.
+TEST(D3plot, ReadersBearPartsWithoutElements)
+{
+    TemporaryFolder folder;
+    SnapshotFixture fixture = small_model();
+    Part empty;
+    empty.id = 1;
+    for (Part& part : fixture.model.parts) part.id += 1;
+    fixture.model.parts.push_back(empty);
+    add_made_up_results(fixture);
+    D3plotRecorder recorder(fixture.model, Schedule(0.1), database(folder));
+    write_states(fixture, recorder, 1);
+    const VtkD3plot read = read_with_vtk(database(folder), 0);
+    EXPECT_EQ(read.part("blocks").element_ids.size(), 2u);
+    EXPECT_EQ(read.part("sheets").element_ids.size(), 3u);
+}
+
 TEST(D3plot, GivesStressesAndShellResults)
 {
     TemporaryFolder folder;
