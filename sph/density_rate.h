@@ -1,6 +1,9 @@
 #pragma once
 
 #include "sph/pairs.h"
+#include "sph/ring_radius.h"
+
+#include <array>
 
 namespace plash {
 
@@ -62,9 +65,9 @@ public:
         const auto other = Moving<Lane>::load(run_, places);
         Vector3<Lane> apart;
         Lane slope;
-        const Lane approach = approach_to(other, apart, slope);
+        const auto [approach, to_other] = approach_to(other, apart, slope);
         sum_ += other.weight * approach;
-        add_to_places(rate_, places, own_.weight * approach);
+        add_to_places(rate_, places, own_.weight * to_other);
         if constexpr (rings) {
             const Lane share = 0.5 * slope * dot(apart, apart);
             moment_sum_ += other.weight * share;
@@ -82,7 +85,7 @@ public:
         const auto other = Moving<Lane>::load(records_, places);
         Vector3<Lane> apart;
         Lane slope;
-        sum_ += other.weight * approach_to(other, apart, slope);
+        sum_ += other.weight * approach_to(other, apart, slope)[0];
         if constexpr (rings) moment_sum_ += other.weight * (0.5 * slope * dot(apart, apart));
         if constexpr (diffusive) {
             Lane volume;
@@ -123,15 +126,26 @@ private:
         return {weight * scale, reciprocal(scale), sound};
     }
 
-    /// (v_i - v_j) . grad W, with grad W = -slope * apart
-    Lane approach_to(const Moving<Lane>& other, Vector3<Lane>& apart, Lane& slope) const
+    /// (v_i - v_j) . grad W, with grad W = -slope * apart, as the particle and the other one see it: the
+    /// same, but in rings, each of which weighs motion along the axis by the mean radius over its own.
+    std::array<Lane, 2> approach_to(const Moving<Lane>& other, Vector3<Lane>& apart, Lane& slope) const
     {
         const Vector3<Lane> velocity = own_.velocity - other.velocity;
         apart = own_.position - other.position - broadcast<Lane>(half_step_) * velocity;
         const Lane square = dot(apart, apart) + tiny_square;
         const Lane inverse_smoothing = reciprocal(0.5 * (own_.smoothing + other.smoothing));
         slope = steepness_(square, reciprocal_root(square), inverse_smoothing);
-        return -dot(apart, velocity) * slope;
+        if constexpr (!rings) {
+            const Lane approach = -dot(apart, velocity) * slope;
+            return {approach, approach};
+        } else {
+            const Lane radius = other.position.x;
+            const Lane across = -(apart.x * velocity.x) * slope;
+            const Lane mean = radius < Lane{} ? Lane{} : 0.5 * (own_.position.x + radius);
+            const Lane along = -(apart.y * velocity.y) * slope * mean;
+            return {across + along / ring_radius(own_.position.x, own_.smoothing),
+                    across + along / ring_radius(radius, other.smoothing)};
+        }
     }
 
     /// Density that flows from the other particle per volume of it.

@@ -251,6 +251,11 @@ void ParticleBody::take_gradient(Index place, double half_step, const GradientSu
     const double* v = sums.velocity;
     Tensor3<double> gradient{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]};
     if (options_.axisymmetric) {
+        const double weight = 1 / ring_radius(a.motion[place]);
+        gradient.yx *= weight;
+        gradient.yy *= weight;
+    }
+    if (options_.axisymmetric) {
         a.moment[place] = options_.renormalised ? 1 : ring_moment(0.5 * (sums.moment[0] + sums.moment[1]));
         scale /= a.moment[place];
     }

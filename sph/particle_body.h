@@ -28,8 +28,8 @@ struct ParticlePart {
     std::vector<Index> elements; ///< by node: place in Model::particles, for results; may be empty
     std::shared_ptr<const ParticleLaw> law;
     PartConstants constants;
-    double birth = 0;       ///< its particles are particles from here ... [time]
-    double death = forever; ///< ... to here, and nodes that fly freely otherwise [time]
+    double birth = 0;                  ///< its particles are particles from here ... [time]
+    double death = forever;            ///< ... to here, and nodes that fly freely otherwise [time]
     std::optional<DepthStress> weight; ///< of what lies above, at the start
 
     /// Density at rest of a particle that started at a place [mass/volume].

@@ -2,13 +2,15 @@
 
 #include "math/lanes.h"
 #include "sph/particle_arrays.h"
+#include "sph/ring_radius.h"
 
 #include <algorithm>
 
 /// Axisymmetric bodies (*CONTROL_SPH IDIM = -2): a particle is a ring around the y axis at the radius x. All
 /// that bodies sum (mass, force, energy) is by radian. Pairs are weighed by the areas A = m / (r rho) that
 /// rings have in the plane, and rates of strain are those of the plane, divided by M, besides the hoop strain
-/// v_x / r, which laws see as the zz component. With sigma the stress, the force on a ring is
+/// v_x / r, which laws see as the zz component; those of v_y are weighed by (r_i + r_j) / (2 r_i), as the
+/// forces along y are. With sigma the stress, the force on a ring is
 ///     F_x = sum of A_i A_j ((r_i sigma_i / M_i + r_j sigma_j / M_j) . grad W)_x - A_i sigma_hoop,
 ///     F_y = sum of A_i A_j (r_i + r_j) / 2 ((sigma_i / M_i + sigma_j / M_j) . grad W)_y.
 /// M_i, half the sum of A_j (x_j - x_i) . grad W, is by how much pair sums give the gradient of a linear
@@ -23,11 +25,9 @@
 /// al. 2009.)
 namespace plash {
 
-/// Radius of a ring [length]. Rings may touch the axis, where areas and hoop strains would have no bound.
 inline double ring_radius(const MotionRecord& motion)
 {
-    constexpr double least = 0.1; // of the smoothing length; the innermost ring of a lattice stands at 0.4
-    return std::max(motion.position.x, least * motion.smoothing);
+    return ring_radius(motion.position.x, motion.smoothing);
 }
 
 /// The longest step that a ring allows times the speed of sound [length]: that of a particle in the plane,

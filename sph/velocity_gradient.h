@@ -15,7 +15,7 @@ static_assert(sizeof(GradientSums) == 128);
 /// Gradient of the velocity by pairs, and what corrects it: `velocity` times the inverse of `moment` is exact
 /// for any linear field (Randles & Libersky 1996; Bonet & Lok 1999). Velocities at n - 1/2 at the positions
 /// of n - 1/2.
-template <class Lane, class Kernel>
+template <class Lane, class Kernel, bool rings = false>
 class VelocityGradient {
 public:
     /// sums  by particle of the run, zeroed; in and out
@@ -67,12 +67,17 @@ private:
     void add_pairs(const MotionRecord* records, const Place* places, Lane (&to_other)[2][8])
     {
         const auto other = Moving<Lane>::load(records, places);
-        const Vector3<Lane> velocity = own_.velocity - other.velocity;
+        Vector3<Lane> velocity = own_.velocity - other.velocity;
         const Vector3<Lane> apart = own_.position - other.position - broadcast<Lane>(half_step_) * velocity;
         const Lane square = dot(apart, apart) + tiny_square;
         const Lane inverse_smoothing = reciprocal(0.5 * (own_.smoothing + other.smoothing));
         const Vector3<Lane> slope =
             steepness_(square, reciprocal_root(square), inverse_smoothing) * apart; // -grad W
+        if constexpr (rings) {
+            const Lane radius = other.position.x;
+            const Lane mean = radius < Lane{} ? Lane{} : 0.5 * (own_.position.x + radius);
+            velocity.y *= mean;
+        }
         const Lane values[2][8] = {
             {velocity.x * slope.x, velocity.x * slope.y, velocity.x * slope.z, velocity.y * slope.x,
              velocity.y * slope.y, velocity.y * slope.z, velocity.z * slope.x, velocity.z * slope.y},

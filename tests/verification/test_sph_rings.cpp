@@ -101,9 +101,9 @@ std::array<double, 2> half_axes(const State& state, const std::vector<Vec3>& pos
 
 } // namespace
 
-/// Corrected gradients; plain ones end with a 1 % too long, for the kernel reaches unevenly into a lattice
-/// that is drawn out 2.6 to 1. The shared error of both half axes falls from 0.15 % with 10 rings along the
-/// radius to 0.04 % with 20, the balance with the square of the spacing.
+/// Corrected gradients: the half axes are right to 0.03 and 0.02 % where the drop is drawn out, to 0.08 and
+/// 0.2 % where it is pressed flat. Plain ones end with a 1 % too long, for the kernel reaches unevenly into a
+/// lattice that is drawn out 2.6 to 1.
 TEST(SphRings, DropIsDrawnOutAsPotentialFlowSays)
 {
     const int rows = 20;
@@ -132,8 +132,8 @@ TEST(SphRings, DropIsDrawnOutAsPotentialFlowSays)
         exact.advance(end_time);
         const auto [first_a, first_b] = half_axes(scene.state, positions);
         const auto [last_a, last_b] = half_axes(scene.state, scene.state.position);
-        EXPECT_NEAR(last_a / first_a / exact.a, 1, 0.002) << pull;
-        EXPECT_NEAR(last_b / first_b / exact.b, 1, 0.002) << pull;
+        EXPECT_NEAR(last_a / first_a / exact.a, 1, 0.003) << pull;
+        EXPECT_NEAR(last_b / first_b / exact.b, 1, 0.003) << pull;
         EXPECT_LT(scene.ledger.balance_error(), 0.0015) << pull;
         double momentum = 0;
         for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -250,29 +250,28 @@ double pressure_under_bird(int across, bool nose, double linear_viscosity, const
     Recorders nobody;
     const Outcome outcome = run(scene, nobody);
     EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
-    EXPECT_LT(scene.ledger.balance_error(), 0.005);
+    EXPECT_LT(scene.ledger.balance_error(), 0.002);
     return impulse / duration;
 }
 
 } // namespace
 
-/// Hugoniot pressure rho u_s u, u_s = c + 2 u (Wilbeck 1978): measured -2.9, -2.7, -1.9 % with 10, 20, 30
-/// rings along the radius. And rho u^2 / 2 when the waves have gone: -4.4, -4.8, -4.5 % with 16, 24, 32 rings
-/// and a linear viscosity of 0.02; with 0.06 -4.8, -5.9, -5.4 %, for viscosity carries its share of the
-/// normal stress.
+/// Hugoniot pressure rho u_s u, u_s = c + 2 u (Wilbeck 1978): measured -3.1, -2.8, -1.9 % with 10, 20, 30
+/// rings along the radius. And rho u^2 / 2 when the waves have gone: +0.7, -2.8, -3.6 % with 16, 24, 32 rings
+/// and a linear viscosity of 0.02; +1.2, -3.0, -4.7 % with 0.06.
 TEST(SphRings, ABirdOnAPlateFeelsBothPressures)
 {
     const double passage = bird_radius / 1482.9, flow = bird_radius / bird_speed;
     const double shock = pressure_under_bird(20, false, 0.3, {0.2 * passage, 0.6 * passage});
     EXPECT_NEAR(shock, 198.93e6, 0.05 * 198.93e6);
     const double stagnation = pressure_under_bird(16, true, 0.02, {2.5 * flow, 3.8 * flow});
-    EXPECT_NEAR(stagnation, 6.728e6, 0.06 * 6.728e6);
+    EXPECT_NEAR(stagnation, 6.728e6, 0.05 * 6.728e6);
 }
 
 /// Taylor's bar of copper at 227 m/s, 32.4 mm long, radius 3.2 mm: 21.45 mm long and 7.1 mm wide at its foot
 /// in the end (test_taylor_bar.cpp has the sources). Measured +0.7 and -1.2 % with 8 rings along the radius,
-/// +0.2 and +0.8 % with 16, where the balance is off by 1 %. Single rings near the axis strain twice as much
-/// as the 3.0 that solids have there.
+/// +0.4 and +0.8 % with 16. Single rings near the axis strain twice as much as the 3.0 that solids have
+/// there.
 TEST(SphRings, TaylorsBarHasThePublishedShape)
 {
     const int across = 8;
@@ -308,7 +307,7 @@ TEST(SphRings, TaylorsBarHasThePublishedShape)
     }
     EXPECT_NEAR(top + 0.5 * spacing, 21.45e-3, 0.01 * 21.45e-3);
     EXPECT_NEAR(wide + 0.5 * spacing, 7.1e-3, 0.02 * 7.1e-3);
-    EXPECT_LT(scene.ledger.balance_error(), 0.005);
+    EXPECT_LT(scene.ledger.balance_error(), 0.003);
 }
 
 } // namespace plash::ring_cases
