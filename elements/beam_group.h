@@ -78,10 +78,14 @@ private:
             BeamStep<Lanes> step = beam_step<Formulation>(
                 store_.settings, law_, ends, store_.prescription(batch), clock.last_step, record);
             const LaneMask alive = record[beam_record::mass_factor] > 0.0;
-            silence(alive, step);
+            silence_forces(alive, step);
+            step.internal_work = alive ? step.internal_work : Lanes{};
+            step.preload_work = alive ? step.preload_work : Lanes{};
             record[beam_record::internal_energy] += step.internal_work;
 
             const int active = store_.patches.active_lanes(batch);
+            const LaneMask lost = lost_in(clock, record, step.broken) & alive;
+            if (any(lost)) take_out(batch, active, lost, ends, clock.last_step, step, sums);
             add_corner(copies.force.data(), first, -step.forces.force, active);
             add_corner(copies.force.data(), second, step.forces.force, active);
             if constexpr (Formulation::rotates) {
@@ -89,11 +93,9 @@ private:
                 add_corner(copies.moment.data(), second, step.forces.moment2, active);
             }
             const Lanes stable = store_.stable_step(batch, step.length);
-            const LaneMask lost = lost_in(clock, record, step.broken) & alive;
             for (int lane = 0; lane < active; ++lane) {
                 sums.internal += step.internal_work[lane];
                 sums.preload += step.preload_work[lane];
-                if (lost[lane]) sums.lost.push_back(batch * lane_count + lane);
                 if (stable[lane] >= sums.step) continue;
                 sums.step = stable[lane];
                 sums.place = batch * lane_count + lane;
@@ -101,16 +103,27 @@ private:
         }
     }
 
-    static void silence(const LaneMask& alive, BeamStep<Lanes>& step)
+    static void silence_forces(const LaneMask& alive, BeamStep<Lanes>& step)
     {
-        const auto keep = [&](Lanes& value) { value = alive ? value : Lanes{}; };
         for (Vector3<Lanes>* vector : {&step.forces.force, &step.forces.moment1, &step.forces.moment2}) {
-            keep(vector->x);
-            keep(vector->y);
-            keep(vector->z);
+            *vector = {alive ? vector->x : Lanes{}, alive ? vector->y : Lanes{}, alive ? vector->z : Lanes{}};
         }
-        keep(step.internal_work);
-        keep(step.preload_work);
+    }
+
+    /// Notes elements that go in this cycle. Their forces act no more.
+    static void take_out(Index batch, int active, const LaneMask& lost, const BeamEnds<Lanes>& ends,
+                         double time_step, BeamStep<Lanes>& step, BeamStore::PatchSums& sums)
+    {
+        Lanes power = dot(step.forces.force, ends.velocity);
+        if constexpr (Formulation::rotates) {
+            power += dot(step.forces.moment1 + step.forces.moment2, ends.mean_spin) +
+                     0.5 * dot(step.forces.moment2 - step.forces.moment1, ends.spin);
+        }
+        for (int lane = 0; lane < active; ++lane) {
+            const auto place = static_cast<std::size_t>(batch) * lane_count + lane;
+            if (lost[lane]) sums.lost.push_back({place, 0.5 * time_step * power[lane]});
+        }
+        silence_forces(~lost, step);
     }
 
     /// Elements that break in this cycle: by their resultants, at their failure time, when all points have

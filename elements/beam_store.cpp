@@ -283,12 +283,13 @@ double BeamStore::scale_mass(double step, bool only_small, State& state)
     return added;
 }
 
-void BeamStore::erode(Index place, PatchSums& patch_sums, State& state)
+void BeamStore::erode(const ElementLoss& loss, PatchSums& patch_sums, State& state)
 {
-    Lanes* values = record(place / lane_count);
-    const int lane = place % lane_count;
+    const std::size_t place = loss.place;
+    Lanes* values = record(static_cast<Index>(place / lane_count));
+    const auto lane = static_cast<int>(place % lane_count);
     patch_sums.internal -= values[beam_record::internal_energy][lane];
-    eroded_internal_ += values[beam_record::internal_energy][lane];
+    eroded_internal_ += values[beam_record::internal_energy][lane] + loss.missing_work;
     values[beam_record::mass_factor][lane] = 0;
     for (int i = 0; i < 6; ++i) values[beam_record::resultant + i][lane] = 0;
     state.deleted_beams.resize(model.beams.size());
@@ -300,7 +301,7 @@ void BeamStore::close_cycle(State& state)
 {
     check_finite();
     for (PatchSums& patch : sums) {
-        for (Index place : patch.lost) erode(place, patch, state);
+        for (const ElementLoss& loss : patch.lost) erode(loss, patch, state);
         patch.lost.clear();
     }
 }

@@ -4,6 +4,7 @@
 #include "core/results.h"
 #include "core/term.h"
 #include "elements/beam_kernel.h"
+#include "elements/element_loss.h"
 #include "elements/patches.h"
 #include "model/model.h"
 
@@ -26,9 +27,9 @@ public:
     /// Energies of a patch since the start [energy], its largest demand on the step, lost elements.
     struct PatchSums {
         double internal = 0, preload = 0;
-        double step = 0;         ///< smallest stable step [time]
-        Index place = 0;         ///< of that element: batch x lane_count + lane
-        std::vector<Index> lost; ///< places of elements that go at the end of this cycle
+        double step = 0; ///< smallest stable step [time]
+        Index place = 0; ///< of that element: batch x lane_count + lane
+        std::vector<ElementLoss> lost;
 
         void serialise(Archive& archive) { archive(internal, preload); }
     };
@@ -100,7 +101,7 @@ private:
     void find_preloads();
     void set_initial_stresses();
     BeamMass mass_of(Index element) const;
-    void erode(Index place, PatchSums&, State&);
+    void erode(const ElementLoss&, PatchSums&, State&);
     void check_finite() const;
     void collect_element(const State&, Index batch, int lane, ElementResults&) const;
     void collect_steps(const State&, ElementResults&) const;

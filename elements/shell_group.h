@@ -85,6 +85,9 @@ private:
                 load(copies.angular_velocity), time_step, store_.record(batch));
 
             const int active = store_.patches.active_lanes(batch);
+            if (active < lane_count) clear_spare_lanes(active, step);
+            const LaneMask lost = lost_in(clock, batch, step.squared_length);
+            if (any(lost)) take_out(batch, active, lost, copies, time_step, step, sums);
             const auto add = [&](NodeCopies::Values& values, const CornerPattern<Lanes>& pattern) {
                 each_corner(pattern, [&](int corner, const Vector3<Lanes>& force) {
                     add_corner(values.data(), store_.patches.corner_offsets(batch, corner), force, active);
@@ -92,8 +95,6 @@ private:
             };
             add(copies.force, step.force);
             add(copies.moment, step.moment);
-            if (active < lane_count) clear_spare_lanes(active, step);
-            note_lost(clock, batch, active, step.squared_length, sums);
             internal += step.internal_work;
             hourglass += step.hourglass_work;
             viscous += step.viscous_work;
@@ -112,10 +113,29 @@ private:
         }
     }
 
+    /// Notes elements that go in this cycle. Their forces act no more.
+    void take_out(Index batch, int active, const LaneMask& lost, const NodeCopies& copies, double time_step,
+                  ShellStep<Lanes>& step, ShellStore::PatchSums& sums) const
+    {
+        Lanes power{};
+        const auto add_power = [&](const CornerPattern<Lanes>& forces, const NodeCopies::Values& rates) {
+            each_corner(forces, [&](int corner, const Vector3<Lanes>& force) {
+                const std::uint16_t* offsets = store_.patches.corner_offsets(batch, corner);
+                power += dot(force, load_corner<Lanes>(rates.data(), offsets));
+            });
+        };
+        add_power(step.force, copies.velocity);
+        add_power(step.moment, copies.angular_velocity);
+        for (int lane = 0; lane < active; ++lane) {
+            const auto place = static_cast<std::size_t>(batch) * lane_count + lane;
+            if (lost[lane]) sums.lost.push_back({place, 0.5 * time_step * power[lane]});
+        }
+        silence<Lanes>(~lost, step);
+    }
+
     /// Elements all of whose points have failed, or enough of them under *MAT_ADD_EROSION, or whose time has
     /// come, and those whose step has fallen below what the deck allows.
-    void note_lost(const Clock& clock, Index batch, int active, Lanes& squared_length,
-                   ShellStore::PatchSums& sums)
+    LaneMask lost_in(const Clock& clock, Index batch, const Lanes& squared_length)
     {
         const ShellSettings& settings = store_.settings;
         LaneMask lost = squared_length < settings.shortest_squared_length;
@@ -155,12 +175,7 @@ private:
             if (clock.time >= settings.failure_time) enough = ~LaneMask{};
             lost |= enough & (store_.record(batch)[shell_record::mass_factor] > 0.0);
         }
-        if (!any(lost)) return;
-        squared_length =
-            lost ? broadcast<Lanes>(eroded_length) : squared_length; // they limit no step any more
-        for (int lane = 0; lane < active; ++lane) {
-            if (lost[lane]) sums.lost.push_back(batch * lane_count + lane);
-        }
+        return lost;
     }
 
     /// Records are walked once a cycle; asking for the next one while this one is worked on hides most of the

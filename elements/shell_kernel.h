@@ -176,24 +176,29 @@ inline Lane add_bulk_viscosity(const ShellSettings& settings, Lane area_strain, 
 /// Squared length that an eroded element votes with: limits nothing.
 inline constexpr double eroded_length = 1e300;
 
+/// Clears forces and vote of the elements that are not alive.
+template <class Lane>
+inline void silence(const MaskOf<Lane>& alive, ShellStep<Lane>& step)
+{
+    for (CornerPattern<Lane>* pattern : {&step.force, &step.moment}) {
+        for (Vector3<Lane>* vector :
+             {&pattern->diagonal13, &pattern->diagonal24, &pattern->alternating, &pattern->sum}) {
+            *vector = {alive ? vector->x : Lane{}, alive ? vector->y : Lane{}, alive ? vector->z : Lane{}};
+        }
+    }
+    step.squared_length = alive ? step.squared_length : broadcast<Lane>(eroded_length);
+}
+
 /// Clears what eroded elements would give: their geometry may be beyond all bounds.
 template <class Lane>
 inline void silence_eroded(Lane mass_factor_now, ShellStep<Lane>& step)
 {
-    const auto alive = mass_factor_now > 0.0;
+    const MaskOf<Lane> alive = mass_factor_now > 0.0;
+    silence(alive, step);
     const auto keep = [&](Lane& value) { value = alive ? value : Lane{}; };
-    for (CornerPattern<Lane>* pattern : {&step.force, &step.moment}) {
-        for (Vector3<Lane>* vector :
-             {&pattern->diagonal13, &pattern->diagonal24, &pattern->alternating, &pattern->sum}) {
-            keep(vector->x);
-            keep(vector->y);
-            keep(vector->z);
-        }
-    }
     keep(step.internal_work);
     keep(step.hourglass_work);
     keep(step.viscous_work);
-    step.squared_length = alive ? step.squared_length : broadcast<Lane>(eroded_length);
 }
 
 /// What ends every step: the vote, silence of eroded elements, energies into the record.

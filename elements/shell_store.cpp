@@ -144,14 +144,15 @@ void ShellStore::take_initial_stresses(const ShellPart& its, const State& state)
     }
 }
 
-void ShellStore::erode(Index place, PatchSums& patch_sums, State& state)
+void ShellStore::erode(const ElementLoss& loss, PatchSums& patch_sums, State& state)
 {
     using namespace shell_record;
-    Lanes* values = record(place / lane_count);
-    const int lane = place % lane_count;
+    const std::size_t place = loss.place;
+    Lanes* values = record(static_cast<Index>(place / lane_count));
+    const auto lane = static_cast<int>(place % lane_count);
     patch_sums.internal -= values[internal_energy][lane];
     patch_sums.hourglass -= values[hourglass_energy][lane];
-    eroded_internal_ += values[internal_energy][lane];
+    eroded_internal_ += values[internal_energy][lane] + loss.missing_work;
     eroded_hourglass_ += values[hourglass_energy][lane];
     values[mass_factor][lane] = 0;
     state.deleted_shells.resize(model.shells.size());
@@ -172,7 +173,7 @@ void ShellStore::close_cycle(State& state)
 {
     check_finite();
     for (PatchSums& patch : sums) {
-        for (Index place : patch.lost) erode(place, patch, state);
+        for (const ElementLoss& loss : patch.lost) erode(loss, patch, state);
         patch.lost.clear();
     }
 }

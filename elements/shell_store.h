@@ -3,6 +3,7 @@
 #include "core/energy_ledger.h"
 #include "core/results.h"
 #include "core/term.h"
+#include "elements/element_loss.h"
 #include "elements/initial_stress.h"
 #include "elements/patches.h"
 #include "elements/section_watch.h"
@@ -32,7 +33,7 @@ public:
         double internal = 0, hourglass = 0, viscous = 0;
         double squared_length = 0; ///< smallest of the patch [length^2]
         Index place = 0;           ///< of that element: batch x lane_count + lane
-        std::vector<Index> lost;   ///< places of elements that go at the end of this cycle
+        std::vector<ElementLoss> lost;
 
         void serialise(Archive& archive) { archive(internal, hourglass, viscous); }
     };
@@ -95,7 +96,7 @@ private:
     Index plastic_strain_;
     std::vector<Lanes, CacheAligned<Lanes>> records_;
 
-    void erode(Index place, PatchSums& patch_sums, State& state);
+    void erode(const ElementLoss& loss, PatchSums& patch_sums, State& state);
     void check_finite() const;
     /// Adds an element's mass and rotary inertia times `factor`; returns the mass.
     double add_mass(Index element, double factor, State& state) const;

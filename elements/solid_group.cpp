@@ -316,7 +316,7 @@ void SolidGroup::silence(Index batch, const LaneMask& dead, const LaneMask& sile
     vote.stable_step = silent ? broadcast<Lanes>(no_step) : vote.stable_step;
 }
 
-void SolidGroup::erase(const Loss& loss, State& state)
+void SolidGroup::erase(const ElementLoss& loss, State& state)
 {
     const std::size_t place = loss.place;
     const Model& model = setup_.model;
@@ -382,7 +382,7 @@ void SolidGroup::close_cycle(State& state)
                            " has no positive volume any more");
         }
         for (std::size_t place : sum.inverted) erase({place, 0}, state);
-        for (const Loss& loss : sum.lost) erase(loss, state);
+        for (const ElementLoss& loss : sum.lost) erase(loss, state);
     }
     const Part& part = setup_.model.parts[setup_.part];
     vote_ = smallest.step == no_step ? StepVote::nothing()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/term.h"
+#include "elements/element_loss.h"
 #include "elements/erosion.h"
 #include "elements/initial_stress.h"
 #include "elements/patches.h"
@@ -77,20 +78,13 @@ protected:
         return constants_[place / lane_count * constant_count_ + constant][place % lane_count];
     }
 
-    /// An element that goes in this cycle. Its energy counts the work of the last step with its force at the
-    /// step's end, which moves nobody any more: half of that force's work in the step, `missing_work`
-    /// [energy], is not in the motion either.
-    struct Loss {
-        std::size_t place = 0;
-        double missing_work = 0;
-    };
     /// What a patch sums up in one cycle.
     struct PatchSum {
         Lanes internal{}, hourglass{}, viscous{};              ///< [energy]; viscous: of this step alone
         double step = std::numeric_limits<double>::infinity(); ///< smallest stable step [time]
         std::size_t place = 0;                                 ///< of the element that wants it
         std::vector<std::size_t> inverted;                     ///< places that have no volume
-        std::vector<Loss> lost;                                ///< that have failed
+        std::vector<ElementLoss> lost;                         ///< that have failed
     };
 
     SolidGroup(SolidSetup setup, const State& state, int history_size, int constant_count,
@@ -204,7 +198,7 @@ private:
     void hold_back_loose_elements(const State&);
     void limit_step(std::size_t place, double limit);
     void silence(Index batch, const LaneMask& dead, const LaneMask& silent, SolidVote<Lanes>&);
-    void erase(const Loss&, State&);
+    void erase(const ElementLoss&, State&);
     LostSolid lost_solid(std::size_t place) const;
     std::string describe(std::size_t place, const std::vector<Vec3>& position) const;
 };
