@@ -124,6 +124,50 @@ protected:
                                 ElementResults&) const
     {}
 
+    /// One step: work(patch, batch, copies of the nodes, sum) for all batches, patch by patch.
+    template <class Work>
+    void each_batch(const Clock& clock, State& state, Work&& work)
+    {
+        start_cycle(clock);
+        patches_.for_each(state, false,
+                          [&](std::ptrdiff_t number, const Patches::Patch& patch, NodeCopies& nodes) {
+                              PatchSum sum;
+                              const Index end = patch.first_batch + patch.batch_count;
+                              for (Index batch = patch.first_batch; batch < end; ++batch)
+                                  work(patch, batch, nodes, sum);
+                              sums_[number] = std::move(sum);
+                          });
+        close_cycle(state);
+    }
+    /// Calls begin(patch, batch) for all batches; returns what it gives, the first stable steps, batch x
+    /// lane.
+    template <class Begin>
+    std::vector<double> first_steps(Begin&& begin)
+    {
+        std::vector<double> steps(patches_.elements.size());
+        for (const Patches::Patch& patch : patches_.patches) {
+            for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch)
+                store(&steps[static_cast<std::size_t>(batch) * lane_count], Lanes{begin(patch, batch)});
+        }
+        return steps;
+    }
+    /// Modes of a nodal vector of a batch, from the copies of a patch.
+    SolidModes<Lanes> modes_at(Index batch, const AlignedDoubles& values) const
+    {
+        const auto corner = [&](int i) {
+            return load_corner<Lanes>(values.data(), patches_.corner_offsets(batch, i));
+        };
+        return modes_of<Lanes>(
+            {corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)});
+    }
+    void add_modes(Index batch, const SolidModes<Lanes>& force, NodeCopies& nodes) const
+    {
+        const int active = patches_.active_lanes(batch);
+        for_corners(force, [&](int corner, const Vector3<Lanes>& of_corner) {
+            add_corner(nodes.force.data(), patches_.corner_offsets(batch, corner), of_corner, active);
+        });
+    }
+
     /// To be called before the patches of a cycle. Elements are deleted whose step falls below TDEL of their
     /// material, or with *CONTROL_TIMESTEP ERODE below DTMIN times the first step of the run, which is known
     /// in cycle 1.

@@ -29,18 +29,11 @@ public:
 
     void add_forces(const Clock& clock, State& state) override
     {
-        start_cycle(clock);
         average_volumes(state);
-        patches_.for_each(state, false,
-                          [&](std::ptrdiff_t number, const Patches::Patch& patch, NodeCopies& nodes) {
-                              PatchSum sum;
-                              const Index end = patch.first_batch + patch.batch_count;
-                              for (Index batch = patch.first_batch; batch < end; ++batch) {
-                                  add_batch_forces(patch, batch, clock.last_step, nodes, sum);
-                              }
-                              sums_[number] = std::move(sum);
-                          });
-        close_cycle(state);
+        each_batch(clock, state,
+                   [&](const Patches::Patch& patch, Index batch, NodeCopies& nodes, PatchSum& sum) {
+                       add_batch_forces(patch, batch, clock.last_step, nodes, sum);
+                   });
     }
 
 private:
@@ -122,14 +115,8 @@ private:
     void add_batch_forces(const Patches::Patch& patch, Index batch, double time_step, NodeCopies& nodes,
                           PatchSum& sum)
     {
-        const auto load = [&](const AlignedDoubles& values) {
-            const auto corner = [&](int i) {
-                return load_corner<Lanes>(values.data(), patches_.corner_offsets(batch, i));
-            };
-            return modes_of<Lanes>(
-                {corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)});
-        };
-        const SolidModes<Lanes> position = load(nodes.position), velocity = load(nodes.velocity);
+        const SolidModes<Lanes> position = modes_at(batch, nodes.position);
+        const SolidModes<Lanes> velocity = modes_at(batch, nodes.velocity);
         Lanes* history = history_of(batch);
         AveragedVolume<Lanes> averaged{{}, history[ratio_history]};
         for (int lane = 0; lane < lane_count; ++lane) {
@@ -142,33 +129,24 @@ private:
                                                      history, constants_of(batch), averaged);
         history[ratio_history] = averaged.now;
         take(batch, position, nodes, result, sum);
-        const int active = patches_.active_lanes(batch);
-        for_corners(result.force, [&](int corner, const Vector3<Lanes>& force) {
-            add_corner(nodes.force.data(), patches_.corner_offsets(batch, corner), force, active);
-        });
+        add_modes(batch, result.force, nodes);
     }
 
     /// As for one-point solids; all volumes are those of the start.
     void start(State& state)
     {
-        std::vector<double> first_step(patches_.elements.size());
-        for (const Patches::Patch& patch : patches_.patches) {
-            for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
-                const SolidModes<Lanes> position = start_position(patch, batch, state);
-                start_batch(batch, gradient_of<rule>(position).volume, position, state);
-                Lanes* history = history_of(batch);
-                point_.start(position, history, constants_of(batch));
-                history[ratio_history] = broadcast<Lanes>(setup_.initial_relative_volume);
-                std::array<Lanes, history_size> trial;
-                std::copy_n(history, trial.size(), trial.begin());
-                const auto result = solid_step<rule>(point_, setup_.parameters, position, SolidModes<Lanes>{},
-                                                     0.0, trial.data(), constants_of(batch));
-                for (int lane = 0; lane < lane_count; ++lane) {
-                    first_step[static_cast<std::size_t>(batch) * lane_count + lane] =
-                        result.vote.stable_step[lane];
-                }
-            }
-        }
+        std::vector<double> first_step = first_steps([&](const Patches::Patch& patch, Index batch) {
+            const SolidModes<Lanes> position = start_position(patch, batch, state);
+            start_batch(batch, gradient_of<rule>(position).volume, position, state);
+            Lanes* history = history_of(batch);
+            point_.start(position, history, constants_of(batch));
+            history[ratio_history] = broadcast<Lanes>(setup_.initial_relative_volume);
+            std::array<Lanes, history_size> trial;
+            std::copy_n(history, trial.size(), trial.begin());
+            const auto result = solid_step<rule>(point_, setup_.parameters, position, SolidModes<Lanes>{},
+                                                 0.0, trial.data(), constants_of(batch));
+            return result.vote.stable_step;
+        });
         take_initial_stresses({stress_is_free<Point>, 1, 0, 0, Point::plastic_strain});
         finish_start(std::move(first_step), state);
     }

@@ -22,17 +22,9 @@ public:
 
     void add_forces(const Clock& clock, State& state) override
     {
-        start_cycle(clock);
-        patches_.for_each(state, false,
-                          [&](std::ptrdiff_t number, const Patches::Patch& patch, NodeCopies& nodes) {
-                              PatchSum sum;
-                              const Index end = patch.first_batch + patch.batch_count;
-                              for (Index batch = patch.first_batch; batch < end; ++batch) {
-                                  add_batch_forces(batch, clock.last_step, nodes, sum);
-                              }
-                              sums_[number] = std::move(sum);
-                          });
-        close_cycle(state);
+        each_batch(clock, state, [&](const Patches::Patch&, Index batch, NodeCopies& nodes, PatchSum& sum) {
+            add_batch_forces(batch, clock.last_step, nodes, sum);
+        });
     }
 
 private:
@@ -75,24 +67,17 @@ private:
     /// Volumes, masses, initial history and first stable steps.
     void start(State& state)
     {
-        std::vector<double> first_step(patches_.elements.size());
-        for (const Patches::Patch& patch : patches_.patches) {
-            for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
-                Vector3<Lanes> x[10];
-                start_corners(patch, batch, state, x);
-                const TenNodeModes<Lanes> position = ten_node_modes(rule(), x);
-                start_points(patch, batch, ten_node_points(position), corner_modes(x), state);
-                std::array<Lanes, history_size> trial;
-                std::copy_n(history_of(batch), trial.size(), trial.begin());
-                const auto result =
-                    ten_point_step(point_, setup_.parameters, rule(), position, TenNodeModes<Lanes>{}, 0.0,
-                                   trial.data(), constants_of(batch));
-                for (int lane = 0; lane < lane_count; ++lane) {
-                    first_step[static_cast<std::size_t>(batch) * lane_count + lane] =
-                        result.vote.stable_step[lane];
-                }
-            }
-        }
+        std::vector<double> first_step = first_steps([&](const Patches::Patch& patch, Index batch) {
+            Vector3<Lanes> x[10];
+            start_corners(patch, batch, state, x);
+            const TenNodeModes<Lanes> position = ten_node_modes(rule(), x);
+            start_points(patch, batch, ten_node_points(position), corner_modes(x), state);
+            std::array<Lanes, history_size> trial;
+            std::copy_n(history_of(batch), trial.size(), trial.begin());
+            const auto result = ten_point_step(point_, setup_.parameters, rule(), position,
+                                               TenNodeModes<Lanes>{}, 0.0, trial.data(), constants_of(batch));
+            return result.vote.stable_step;
+        });
         take_initial_stresses({stress_is_free<Point>, ten_points, first_ten_point, ten_point_size<Point>,
                                Point::plastic_strain});
         finish_start(std::move(first_step), state);

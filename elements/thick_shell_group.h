@@ -28,17 +28,9 @@ public:
 
     void add_forces(const Clock& clock, State& state) override
     {
-        start_cycle(clock);
-        patches_.for_each(state, false,
-                          [&](std::ptrdiff_t number, const Patches::Patch& patch, NodeCopies& nodes) {
-                              PatchSum sum;
-                              const Index end = patch.first_batch + patch.batch_count;
-                              for (Index batch = patch.first_batch; batch < end; ++batch) {
-                                  add_batch_forces(batch, clock.last_step, nodes, sum);
-                              }
-                              sums_[number] = std::move(sum);
-                          });
-        close_cycle(state);
+        each_batch(clock, state, [&](const Patches::Patch&, Index batch, NodeCopies& nodes, PatchSum& sum) {
+            add_batch_forces(batch, clock.last_step, nodes, sum);
+        });
     }
 
 private:
@@ -52,60 +44,44 @@ private:
 
     void add_batch_forces(Index batch, double time_step, NodeCopies& nodes, PatchSum& sum)
     {
-        const auto load = [&](const AlignedDoubles& values) {
-            const auto corner = [&](int i) {
-                return load_corner<Lanes>(values.data(), patches_.corner_offsets(batch, i));
-            };
-            return modes_of<Lanes>(
-                {corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)});
-        };
-        const SolidModes<Lanes> position = load(nodes.position), velocity = load(nodes.velocity);
+        const SolidModes<Lanes> position = modes_at(batch, nodes.position);
+        const SolidModes<Lanes> velocity = modes_at(batch, nodes.velocity);
         SolidResult<Lanes> result =
             thick_shell_step<kind>(law_, settings_, setup_.parameters, position, velocity, time_step,
                                    history_of(batch), constants_of(batch));
         take(batch, position, nodes, result, sum);
-        const int active = patches_.active_lanes(batch);
-        for_corners(result.force, [&](int corner, const Vector3<Lanes>& force) {
-            add_corner(nodes.force.data(), patches_.corner_offsets(batch, corner), force, active);
-        });
+        add_modes(batch, result.force, nodes);
     }
 
     template <class StartLaw>
     void start(State& state, StartLaw& start_law)
     {
-        std::vector<double> first_step(patches_.elements.size());
         std::vector<Lanes, CacheAligned<Lanes>> trial(history_size());
         const int points = settings_.columns * settings_.rule.size();
-        for (const Patches::Patch& patch : patches_.patches) {
-            for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
-                const SolidModes<Lanes> position = start_position(patch, batch, state);
-                start_batch(batch, gradient_of<SolidGradientRule::mean>(position).volume, position, state);
-                Lanes* history = history_of(batch);
-                const auto initial = law_.initial_history();
-                for (int point = 0; point < points; ++point) {
-                    Lanes* values = history + first_thick_point + point * thick_point_size<Law>;
-                    for (std::size_t i = 0; i < initial.size(); ++i)
-                        values[6 + i] = broadcast<Lanes>(initial[i]);
-                }
-                for (int lane = 0; lane < lane_count; ++lane) {
-                    const std::size_t place = static_cast<std::size_t>(batch) * lane_count + lane;
-                    const auto element = static_cast<Index>(element_of(place));
-                    const auto values = [&](int point) {
-                        return history + first_thick_point + point * thick_point_size<Law>;
-                    };
-                    start_law(element, lane, points, values);
-                    put_initial_stress(element, lane, position, values);
-                }
-                std::copy_n(history, trial.size(), trial.begin());
-                const auto result =
-                    thick_shell_step<kind>(law_, settings_, setup_.parameters, position, SolidModes<Lanes>{},
-                                           0.0, trial.data(), constants_of(batch));
-                for (int lane = 0; lane < lane_count; ++lane) {
-                    first_step[static_cast<std::size_t>(batch) * lane_count + lane] =
-                        result.vote.stable_step[lane];
-                }
+        std::vector<double> first_step = first_steps([&](const Patches::Patch& patch, Index batch) {
+            const SolidModes<Lanes> position = start_position(patch, batch, state);
+            start_batch(batch, gradient_of<SolidGradientRule::mean>(position).volume, position, state);
+            Lanes* history = history_of(batch);
+            const auto initial = law_.initial_history();
+            for (int point = 0; point < points; ++point) {
+                Lanes* values = history + first_thick_point + point * thick_point_size<Law>;
+                for (std::size_t i = 0; i < initial.size(); ++i) values[6 + i] = broadcast<Lanes>(initial[i]);
             }
-        }
+            for (int lane = 0; lane < lane_count; ++lane) {
+                const std::size_t place = static_cast<std::size_t>(batch) * lane_count + lane;
+                const auto element = static_cast<Index>(element_of(place));
+                const auto values = [&](int point) {
+                    return history + first_thick_point + point * thick_point_size<Law>;
+                };
+                start_law(element, lane, points, values);
+                put_initial_stress(element, lane, position, values);
+            }
+            std::copy_n(history, trial.size(), trial.begin());
+            const auto result =
+                thick_shell_step<kind>(law_, settings_, setup_.parameters, position, SolidModes<Lanes>{}, 0.0,
+                                       trial.data(), constants_of(batch));
+            return result.vote.stable_step;
+        });
         finish_start(std::move(first_step), state);
     }
 
