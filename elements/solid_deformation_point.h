@@ -1,5 +1,6 @@
 #pragma once
 
+#include "elements/solid_axes.h"
 #include "elements/solid_step.h"
 #include "math/tensor3.h"
 
@@ -24,8 +25,9 @@ struct DeformationPoint {
     static constexpr int plastic_strain = -1;
 
     template <class Lane>
-    void start(const SolidModes<Lane>& position, Lane*, Lane* constants) const
+    void start(const SolidModes<Lane>& position, [[maybe_unused]] Lane* history, Lane* constants) const
     {
+        if constexpr (requires { law.axes; }) start_solid_axes(law.axes, position, history + point_history);
         const SolidGradient<Lane, rule> b = gradient_of<rule>(position);
         const Lane scale = 1.0 / (64.0 * b.volume);
         const auto put = [&](int mode, const Vector3<Lane>& value) {
@@ -38,22 +40,33 @@ struct DeformationPoint {
         for (std::size_t mode = 0; mode < b.bilinear.size(); ++mode) put(3 + mode, b.bilinear[mode]);
     }
 
+    /// The deformation gradient, or the stretches that the law finds in it.
     template <class Lane>
-    Lane wave_modulus(const SolidMotion<Lane>& motion, HistoryView<Lane>) const
+    auto see(const SolidMotion<Lane>& motion) const
     {
-        return law.wave_modulus(deformation(motion));
+        if constexpr (requires { law.stretches(deformation(motion)); }) {
+            return law.stretches(deformation(motion));
+        } else {
+            return deformation(motion);
+        }
     }
 
-    template <class Lane>
-    void update(SymmetricTensor<Lane>& stress, HistoryView<Lane> history,
-                const SolidMotion<Lane>& motion) const
+    template <class Seen>
+    auto wave_modulus(const Seen& seen) const
+    {
+        return law.wave_modulus(seen);
+    }
+
+    template <class Lane, class Seen>
+    void update(SymmetricTensor<Lane>& stress, HistoryView<Lane> history, const SolidMotion<Lane>& motion,
+                const Seen& seen) const
     {
         if constexpr (has_history) {
             if constexpr (requires { law.rotate_history(history, motion.rotation); })
                 law.rotate_history(history, motion.rotation);
-            law.update(stress, deformation(motion), motion.increment, history, motion.time_step);
+            law.update(stress, seen, motion.increment, history, motion.time_step);
         } else {
-            stress = law.stress(deformation(motion));
+            stress = law.stress(seen);
         }
     }
 

@@ -5,6 +5,8 @@
 #include "materials/history.h"
 #include "math/lane_roots.h"
 
+#include <variant>
+
 namespace plash {
 
 /// What one element group has in common.
@@ -63,6 +65,38 @@ struct SolidResult {
     SolidModes<Lane> force; ///< on the corners, as modes [force]
     SolidVote<Lane> vote;
 };
+
+/// What a material point finds out of a motion once, for wave modulus and stress: point.see(motion), where it
+/// has that.
+template <class Point, class Lane>
+inline auto seen_by(const Point& point, const SolidMotion<Lane>& motion)
+{
+    if constexpr (requires { point.see(motion); }) {
+        return point.see(motion);
+    } else {
+        return std::monostate{};
+    }
+}
+template <class Point, class Lane, class Seen>
+inline Lane wave_modulus_of(const Point& point, const SolidMotion<Lane>& motion, HistoryView<Lane> history,
+                            const Seen& seen)
+{
+    if constexpr (requires { point.see(motion); }) {
+        return point.wave_modulus(seen);
+    } else {
+        return point.wave_modulus(motion, history);
+    }
+}
+template <class Point, class Lane, class Seen>
+inline void update_point(const Point& point, SymmetricTensor<Lane>& stress, HistoryView<Lane> history,
+                         const SolidMotion<Lane>& motion, const Seen& seen)
+{
+    if constexpr (requires { point.see(motion); }) {
+        point.update(stress, history, motion, seen);
+    } else {
+        point.update(stress, history, motion);
+    }
+}
 
 /// Relative volume of a batch as a mean over its neighbours, which takes the place of its own in the law.
 template <class Lane>
@@ -157,7 +191,8 @@ inline SolidResult<Lane> solid_step(const Point& point, const SolidParameters& p
     const HistoryView<Lane> point_variables{history + point_history};
 
     // Bulk viscosity.
-    Lane wave_modulus = point.wave_modulus(motion, point_variables);
+    const auto seen = seen_by(point, motion);
+    Lane wave_modulus = wave_modulus_of(point, motion, point_variables, seen);
     Lane sound_speed = sqrt((1.0 / parameters.density) * wave_modulus * relative_volume);
     const Lane length = volume * inverse_length * inverse_length;
     const Lane viscosity = parameters.viscosity.pressure(constants[mass_constant] * inverse_volume, length,
@@ -178,7 +213,7 @@ inline SolidResult<Lane> solid_step(const Point& point, const SolidParameters& p
     SymmetricTensor<Lane> stress = tensor_at(history);
     const SymmetricTensor<Lane> stress_before = stress;
     stress = rotated(stress, motion.rotation);
-    point.update(stress, point_variables, motion);
+    update_point(point, stress, point_variables, motion, seen);
     if constexpr (Point::can_fail) vote.failed = point.failed(point_variables, motion);
     put_tensor(history, stress);
     Lane work = 0.5 * volume_middle * contract(stress_before + stress, increment);
@@ -192,7 +227,7 @@ inline SolidResult<Lane> solid_step(const Point& point, const SolidParameters& p
     // Stable step.
     if constexpr (Point::modulus_changes) {
         motion.energy_density = history[internal_energy_history] * constants[inverse_volume_constant];
-        wave_modulus = point.wave_modulus(motion, point_variables);
+        wave_modulus = wave_modulus_of(point, motion, point_variables, seen);
         sound_speed = sqrt((1.0 / parameters.density) * wave_modulus * relative_volume);
     }
     const Lane crossing = parameters.length_factor * volume / sqrt(largest_face_squared(position));

@@ -96,12 +96,15 @@ inline TenNodeResult<Lane> ten_point_step(const Point& point, const SolidParamet
                                  constants + ten_point_constants + q * Point::constant_size};
     };
     Lane* const points = history + first_ten_point;
+    std::array<decltype(seen_by(point, std::declval<SolidMotion<Lane>>())), ten_points> seen;
     const auto stiffest_wave = [&] {
         Lane modulus{};
         for (int q = 0; q < ten_points; ++q) {
             const SolidModes<Lane> place = tetrahedron_of(x[q]);
             const HistoryView<Lane> variables{points + q * ten_point_size<Point> + 6};
-            modulus = max(modulus, point.wave_modulus(motion_of(q, place), variables));
+            const SolidMotion<Lane> motion = motion_of(q, place);
+            seen[q] = seen_by(point, motion);
+            modulus = max(modulus, wave_modulus_of(point, motion, variables, seen[q]));
         }
         return Lane{sqrt((1.0 / parameters.density) * modulus * relative_volume)};
     };
@@ -125,7 +128,7 @@ inline TenNodeResult<Lane> ten_point_step(const Point& point, const SolidParamet
         const SymmetricTensor<Lane> before = stress;
         stress = rotated(stress, motion.rotation);
         const HistoryView<Lane> variables{values + 6};
-        point.update(stress, variables, motion);
+        update_point(point, stress, variables, motion, seen[q]);
         if constexpr (Point::can_fail) failed &= point.failed(variables, motion);
         if constexpr (Point::plastic_strain >= 0)
             plastic_strain += (1.0 / ten_points) * variables[Point::plastic_strain];

@@ -29,9 +29,15 @@ struct FuChangFoam {
         put(history, rotated(rate_of(history), rotation));
     }
 
+    template <class Lane>
+    static LowDensityFoam::Stretches<Lane> stretches(const Tensor3<Lane>& deformation)
+    {
+        return LowDensityFoam::stretches(deformation);
+    }
+
     /// Cauchy stress at the end of a step.
     template <class Lane>
-    void update(SymmetricTensor<Lane>& stress, const Tensor3<Lane>& deformation,
+    void update(SymmetricTensor<Lane>& stress, const LowDensityFoam::Stretches<Lane>& at,
                 const SymmetricTensor<Lane>& increment, HistoryView<Lane> history, double time_step) const
     {
         SymmetricTensor<Lane> mean = rate_of(history);
@@ -41,7 +47,7 @@ struct FuChangFoam {
             put(history, mean);
         }
         const Lane largest = measure == Measure::largest ? -smallest_principal(mean) : Lane{};
-        foam.respond(stress, deformation, history, [&](const Vector3<Lane>& axis, const Lane& stretch) {
+        foam.respond(stress, at, history, [&](const Vector3<Lane>& axis, const Lane& stretch) {
             Lane rate = measure == Measure::volume ? -trace(mean) : largest;
             if (measure == Measure::own) {
                 const Vector3<Lane> along{mean.xx * axis.x + mean.xy * axis.y + mean.zx * axis.z,
@@ -54,9 +60,9 @@ struct FuChangFoam {
     }
 
     template <class Lane>
-    Lane wave_modulus(const Tensor3<Lane>& deformation) const
+    Lane wave_modulus(const LowDensityFoam::Stretches<Lane>& at) const
     {
-        return foam.wave_modulus(deformation);
+        return foam.wave_modulus(at);
     }
 
 private:

@@ -33,25 +33,40 @@ struct LowDensityFoam {
 
     static LowDensityFoam from_record(const Record& record, const Model& model);
 
+    /// Principal stretches of a deformation gradient.
+    template <class Lane>
+    struct Stretches {
+        PrincipalAxes<Lane> squares; ///< of F F^T
+        std::array<Lane, 3> stretch;
+        Lane inverse_volume;
+    };
+    template <class Lane>
+    static Stretches<Lane> stretches(const Tensor3<Lane>& deformation)
+    {
+        Stretches<Lane> at{principal_axes(left_cauchy_green(deformation).left), {}, {}};
+        for (int i = 0; i < 3; ++i) at.stretch[i] = sqrt(max(at.squares.value[i], Lane{}));
+        at.inverse_volume = 1.0 / determinant(deformation);
+        return at;
+    }
+
     /// Cauchy stress at the end of a step.
     template <class Lane>
-    void update(SymmetricTensor<Lane>& stress, const Tensor3<Lane>& deformation,
+    void update(SymmetricTensor<Lane>& stress, const Stretches<Lane>& at,
                 const SymmetricTensor<Lane>& /*increment*/, HistoryView<Lane> history,
                 double /*time_step*/) const
     {
-        respond(stress, deformation, history, [](const Vector3<Lane>&, const Lane&) { return Lane{}; });
+        respond(stress, at, history, [](const Vector3<Lane>&, const Lane&) { return Lane{}; });
     }
 
     /// The same under a strain rate: rate(axis, stretch) of a principal direction, compression positive
     /// [1/time].
     template <class Lane, class Rate>
-    void respond(SymmetricTensor<Lane>& stress, const Tensor3<Lane>& deformation, HistoryView<Lane> history,
+    void respond(SymmetricTensor<Lane>& stress, const Stretches<Lane>& at, HistoryView<Lane> history,
                  Rate&& rate) const
     {
-        PrincipalAxes<Lane> principal = principal_axes(left_cauchy_green(deformation).left);
-        const Lane inverse_volume = 1.0 / determinant(deformation), one = broadcast<Lane>(1);
-        std::array<Lane, 3> stretch;
-        for (int i = 0; i < 3; ++i) stretch[i] = sqrt(max(principal.value[i], Lane{}));
+        PrincipalAxes<Lane> principal = at.squares;
+        const std::array<Lane, 3>& stretch = at.stretch;
+        const Lane one = broadcast<Lane>(1);
         Lane left = one;
         if (hysteresis < 1) {
             Lane now{};
@@ -71,7 +86,7 @@ struct LowDensityFoam {
             }
             const Lane tension = tears ? (history[torn] > 0.0 ? Lane{} : pulled) : pulled;
             const Lane nominal = strain > 0.0 ? -pressed : tension;
-            principal.value[i] = nominal * stretch[i] * inverse_volume;
+            principal.value[i] = nominal * stretch[i] * at.inverse_volume;
         }
         stress = principal.tensor();
     }
@@ -79,12 +94,11 @@ struct LowDensityFoam {
     /// Density times the square of the speed of the fastest wave along a principal direction, from above:
     /// also for unloading, which is steeper than loading [stress].
     template <class Lane>
-    Lane wave_modulus(const Tensor3<Lane>& deformation) const
+    Lane wave_modulus(const Stretches<Lane>& at) const
     {
-        const PrincipalAxes<Lane> principal = principal_axes(left_cauchy_green(deformation).left);
         Lane largest{};
         for (int i = 0; i < 3; ++i) {
-            const Lane square = max(principal.value[i], Lane{}), strain = 1.0 - sqrt(square);
+            const Lane square = at.stretch[i] * at.stretch[i], strain = 1.0 - at.stretch[i];
             const Lane pressed = max(strain, Lane{});
             Lane slope = loading(pressed, Lane{}).slope;
             if (loading.depends_on_rate()) slope = max(slope, loading(pressed, broadcast<Lane>(1e300)).slope);
@@ -97,7 +111,7 @@ struct LowDensityFoam {
             const Lane modulus = max(slope, broadcast<Lane>(young_modulus));
             largest = max(largest, Lane{modulus * square});
         }
-        return largest / determinant(deformation);
+        return largest * at.inverse_volume;
     }
 
     /// Takes the loading curves, the one of the lowest rate for the energy as well; DeckError for negative

@@ -26,12 +26,18 @@ struct LowDensityViscousFoam {
         for (int i = 0; i < branches; ++i) put(history, i, rotated(branch(history, i), rotation));
     }
 
+    template <class Lane>
+    static LowDensityFoam::Stretches<Lane> stretches(const Tensor3<Lane>& deformation)
+    {
+        return LowDensityFoam::stretches(deformation);
+    }
+
     /// Cauchy stress at the end of a step.
     template <class Lane>
-    void update(SymmetricTensor<Lane>& stress, const Tensor3<Lane>& deformation,
+    void update(SymmetricTensor<Lane>& stress, const LowDensityFoam::Stretches<Lane>& at,
                 const SymmetricTensor<Lane>& increment, HistoryView<Lane> history, double time_step) const
     {
-        foam.update(stress, deformation, increment, history, time_step);
+        foam.update(stress, at, increment, history, time_step);
         for (int i = 0; i < branches; ++i) {
             const auto step = series[i].step(time_step);
             const SymmetricTensor<Lane> now =
@@ -42,11 +48,11 @@ struct LowDensityViscousFoam {
     }
 
     template <class Lane>
-    Lane wave_modulus(const Tensor3<Lane>& deformation) const
+    Lane wave_modulus(const LowDensityFoam::Stretches<Lane>& at) const
     {
         double springs = 0;
         for (const MaxwellElement& element : series) springs += 2 * element.modulus;
-        return foam.wave_modulus(deformation) + springs;
+        return foam.wave_modulus(at) + springs;
     }
 
 private:

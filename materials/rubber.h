@@ -34,15 +34,37 @@ struct Rubber {
         for (int i = 0; i < branches; ++i) put(history, i, rotated(branch(history, i), rotation));
     }
 
-    /// Cauchy stress at the end of a step.
-    /// stress       out [stress]
-    /// deformation  gradient since the start
-    /// increment    strain of the step [-]
+    /// What the energy answers to a deformation gradient.
     template <class Lane>
-    void update(SymmetricTensor<Lane>& stress, const Tensor3<Lane>& deformation,
+    struct Stretches {
+        PrincipalAxes<Lane> axes;
+        PrincipalResponse<Lane> response; ///< to the principal stretches without volume change
+        Lane inverse_volume;              ///< 1 / J
+    };
+    template <class Lane>
+    Stretches<Lane> stretches(const Tensor3<Lane>& deformation) const
+    {
+        Stretches<Lane> at{principal_axes(left_cauchy_green(deformation).left), {}, {}};
+        std::array<Lane, 3> logarithm;
+        Lane sum{};
+        for (int i = 0; i < 3; ++i) {
+            logarithm[i] = 0.5 * log(max(at.axes.value[i], broadcast<Lane>(1e-300)));
+            sum += logarithm[i];
+        }
+        for (Lane& value : logarithm) value -= (1.0 / 3) * sum;
+        at.response = energy.response(logarithm);
+        at.inverse_volume = 1.0 / determinant(deformation);
+        return at;
+    }
+
+    /// Cauchy stress at the end of a step.
+    /// stress     out [stress]
+    /// increment  strain of the step [-]
+    template <class Lane>
+    void update(SymmetricTensor<Lane>& stress, const Stretches<Lane>& at,
                 const SymmetricTensor<Lane>& increment, HistoryView<Lane> history, double time_step) const
     {
-        stress = elastic_stress(deformation);
+        stress = elastic_stress(at);
         const SymmetricTensor<Lane> change = deviator(increment);
         for (int i = 0; i < branches; ++i) {
             const auto factors = series[i].step(time_step);
@@ -55,27 +77,24 @@ struct Rubber {
 
     /// Cauchy stress without the branches [stress].
     template <class Lane>
-    SymmetricTensor<Lane> elastic_stress(const Tensor3<Lane>& deformation) const
+    SymmetricTensor<Lane> elastic_stress(const Stretches<Lane>& at) const
     {
-        const Stretches<Lane> at = stretches(deformation);
-        const PrincipalResponse<Lane> response = energy.response(at.logarithm);
-        const Lane inverse = 1.0 / at.volume, mean = bulk_modulus * (1.0 - inverse);
+        const Lane mean = bulk_modulus * (1.0 - at.inverse_volume);
         PrincipalAxes<Lane> principal = at.axes;
-        for (int i = 0; i < 3; ++i) principal.value[i] = inverse * response.stress[i] + mean;
+        for (int i = 0; i < 3; ++i) principal.value[i] = at.inverse_volume * at.response.stress[i] + mean;
         return principal.tensor();
     }
 
     /// Density times the square of the speed of the fastest compression wave along a principal direction:
     /// lambda^2 / J d2W/dlambda^2 of the largest, and the springs of the branches [stress].
     template <class Lane>
-    Lane wave_modulus(const Tensor3<Lane>& deformation) const
+    Lane wave_modulus(const Stretches<Lane>& at) const
     {
-        const Stretches<Lane> at = stretches(deformation);
-        const PrincipalResponse<Lane> response = energy.response(at.logarithm);
+        const PrincipalResponse<Lane>& response = at.response;
         Lane largest{};
         for (int i = 0; i < 3; ++i) {
-            largest =
-                max(largest, Lane{(response.stiffness[i] - response.stress[i] + bulk_modulus) / at.volume});
+            largest = max(largest, Lane{(response.stiffness[i] - response.stress[i] + bulk_modulus) *
+                                        at.inverse_volume});
         }
         double springs = 0;
         for (const MaxwellElement& element : series) springs += 4.0 / 3 * element.modulus;
@@ -83,26 +102,6 @@ struct Rubber {
     }
 
 private:
-    template <class Lane>
-    struct Stretches {
-        PrincipalAxes<Lane> axes;
-        std::array<Lane, 3> logarithm; ///< of the principal stretches without volume change
-        Lane volume;                   ///< J
-    };
-
-    template <class Lane>
-    static Stretches<Lane> stretches(const Tensor3<Lane>& deformation)
-    {
-        Stretches<Lane> at{principal_axes(left_cauchy_green(deformation).left), {}, determinant(deformation)};
-        Lane sum{};
-        for (int i = 0; i < 3; ++i) {
-            at.logarithm[i] = 0.5 * log(max(at.axes.value[i], broadcast<Lane>(1e-300)));
-            sum += at.logarithm[i];
-        }
-        for (Lane& value : at.logarithm) value -= (1.0 / 3) * sum;
-        return at;
-    }
-
     template <class Lane>
     static SymmetricTensor<Lane> branch(HistoryView<Lane> h, int number)
     {
