@@ -46,6 +46,7 @@ constexpr struct {
     {"MAT_HIGH_EXPLOSIVE_BURN", make_high_explosive_solids},
     {"MAT_GEOLOGIC_CAP_MODEL", make_geologic_cap_solids},
     {"MAT_HONEYCOMB", make_honeycomb_solids},
+    {"MAT_ORTHOTROPIC_ELASTIC", make_orthotropic_solids},
     {"MAT_LOW_DENSITY_VISCOUS_FOAM", make_low_density_viscous_foam_solids},
 };
 

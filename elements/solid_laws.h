@@ -35,6 +35,7 @@ std::unique_ptr<SolidGroup> make_low_density_viscous_foam_solids(const Record&, 
 std::unique_ptr<SolidGroup> make_elastic_fluid_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_high_explosive_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_geologic_cap_solids(const Record&, const Record*, SolidSetup, State&);
+std::unique_ptr<SolidGroup> make_orthotropic_solids(const Record&, const Record*, SolidSetup, State&);
 std::unique_ptr<SolidGroup> make_honeycomb_solids(const Record&, const Record*, SolidSetup, State&);
 
 } // namespace plash

@@ -4,6 +4,7 @@
 #include "materials/parameters.h"
 #include "math/symmetric_tensor.h"
 
+#include <algorithm>
 #include <array>
 
 namespace plash {
