@@ -26,6 +26,7 @@
 #include "rigid/interpolation.h"
 #include "rigid/linear_constraints.h"
 #include "rigid/rigid_bodies.h"
+#include "solver/nodal_inertias.h"
 #include "solver/rigid_parts.h"
 #include "sph/particle_bodies.h"
 #include "sph/particle_coupling.h"
@@ -148,6 +149,7 @@ Scene make_scene(const Model& model)
     add_rigid_masses(model, state);
     for (std::size_t i = 0; i < model.masses.size(); ++i)
         state.mass[model.masses.node[i]] += model.masses.mass[i];
+    add_nodal_inertias(model, state);
     scale_masses(scene);
     weigh(scene);
     auto tied = std::make_shared<TiedNodes>(model, state);

@@ -105,6 +105,41 @@ TEST(Beams, FirstFrequencyIsThatOfEulerAndBernoulli)
     }
 }
 
+/// A disc of *ELEMENT_INERTIA at the end of a bar: torsion pendulum, T = 2 pi sqrt(I L / (G J)). The bar's own
+/// rotary inertia at its end is nothing beside the disc's.
+TEST(Beams, SwingADiscInTorsion)
+{
+    constexpr double length = 100, torsion = 50, inertia = 1e8, shear_modulus = young_modulus / 2.6;
+    Fields section = resultant_section();
+    section.push_back({"J", torsion});
+    Model model = beam_model(steel(), section, length, 1);
+    hold(model, {0}, all_freedoms);
+    hold(model, {1}, 1 | 2 | 4 | 16 | 32);
+    const auto disc = [=](double yy) {
+        return make_record("ELEMENT_INERTIA",
+                           {{"NID", 2}, {"IXX", inertia}, {"IYY", yy}, {"IZZ", inertia}, {"MASS", 3}});
+    };
+    const double period = 2 * std::numbers::pi * std::sqrt(inertia * length / (shear_modulus * torsion));
+    model.controls.time.end_time = 1.9 * period; // of some 500 steps each
+    model.others.push_back(disc(inertia));
+    Scene scene = make_scene(model);
+    EXPECT_NEAR(scene.state.mass[1], 3 + 0.5 * density * 24 * length, 1e-12);
+    scene.state.angular_velocity[1].x = 1e-6;
+    std::vector<double> time, spin;
+    Recorders recorders;
+    recorders.push_back(std::make_unique<EachCycle>([&](const Clock& clock, const State& state) {
+        time.push_back(clock.time);
+        spin.push_back(state.angular_velocity[1].x);
+    }));
+    const Outcome outcome = run(scene, recorders);
+    EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
+    EXPECT_NEAR(period_of(time, spin), period, 2e-4 * period);
+    EXPECT_LT(scene.ledger.balance_error(), 1e-6);
+
+    model.others.back() = disc(0.5 * inertia);
+    EXPECT_THROW(make_scene(model), DeckError);
+}
+
 TEST(Beams, RollUpIntoACircle)
 {
     // A cantilever under the end moment 2 pi E I / L bends into a full circle: its tip comes back to the
