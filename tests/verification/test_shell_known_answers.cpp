@@ -64,12 +64,17 @@ TEST(PinchedCylinder, ComesToTheSeriesSolution)
     EXPECT_LT(std::abs(middle - exact), std::abs(coarse - exact));
 }
 
-/// One-point shells under a point load: the hourglass mode at the load is soft. Measured with stiffness 0.03:
-/// 0.844, 1.035, 1.091 of the series solution with 8, 16 and 32 elements a side.
-TEST(PinchedCylinder, DISABLED_OnePointShellsComeToTheSeriesSolution)
+/// One-point shells come to 1.10 of the series and not to it, as their equations say: a direct static
+/// solution of these, beside this test in pinched_cylinder.py, gives 0.8467, 1.0344, 1.0898 and 1.1015 with
+/// 8, 16, 32 and 64 elements a side. A checkerboard of radial displacements relieves the membrane shear
+/// (docs/shells.md).
+TEST(PinchedCylinder, OnePointShellsAnswerAsTheirEquationsDo)
 {
     constexpr double exact = 1.8248e-5;
-    EXPECT_NEAR(pinched_cylinder(2, 32), exact, 0.02 * exact);
+    // 0.5 %: what is left of the motion, kinetic energy below 1e-4 of the strain energy.
+    EXPECT_NEAR(pinched_cylinder(2, 8) / exact, 0.8467, 0.005);
+    EXPECT_NEAR(pinched_cylinder(2, 16) / exact, 1.0344, 0.005);
+    EXPECT_NEAR(pinched_cylinder(2, 32) / exact, 1.0898, 0.005);
 }
 
 /// A ring of eight shells that breathes, a million steps: no damping, so that the energy has to stay. It does
