@@ -6,12 +6,6 @@
 
 namespace plash {
 
-void Bounds::add(const Vec3& point)
-{
-    low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
-    high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
-}
-
 void Bounds::grow(double by)
 {
     low -= {by, by, by};

@@ -3,6 +3,7 @@
 #include "math/lanes.h"
 #include "math/vector3.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -14,7 +15,11 @@ namespace plash {
 struct Bounds {
     Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
 
-    void add(const Vec3& point);
+    void add(const Vec3& point)
+    {
+        low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
+        high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
+    }
     void grow(double by);
 };
 

@@ -177,6 +177,7 @@ void FacingSegments::search(const ContactMotion& motion)
         }
     });
     pairs_.clear();
+    block_due_.clear();
     for (const auto& part : found) pairs_.insert(pairs_.end(), part.begin(), part.end());
     find_sharp_nodes(motion);
 }
@@ -455,6 +456,7 @@ double FacingSegments::find(const ContactMotion& motion, double step)
     now_.clear();
     index_touches();
     chunks_.resize((pairs_.size() + chunk_length - 1) / chunk_length);
+    block_due_.resize((pairs_.size() + block_length - 1) / block_length);
     for_chunks(pairs_.size(),
                [&](std::size_t begin, std::size_t end) { find_chunk(motion, step, begin, end); });
     double loss = 0;
@@ -475,19 +477,30 @@ void FacingSegments::find_chunk(const ContactMotion& motion, double step, std::s
     chunk.due.clear();
     chunk.left.clear();
     chunk.found.clear();
+    chunk.looked_at.clear();
     const double now = motion.travelled + motion.step_range;
-    for (std::size_t i = begin; i < end; ++i) {
-        FacingPair& pair = pairs_[i];
-        if (pair.due <= now) {
-            FacingCandidate& one = chunk.due.emplace_back();
-            one.pair = static_cast<Index>(i);
-            one.old = pair.touch;
-            if (one.old != none) one.old_normal = before_[one.old].normal;
-            one.alone = old_touches_of(pair.first).empty() && old_touches_of(pair.second).empty();
+    for (std::size_t block = begin / block_length; block * block_length < end; ++block) {
+        if (block_due_[block] > now) continue;
+        chunk.looked_at.push_back(block);
+        for (std::size_t i = block * block_length; i < std::min(end, (block + 1) * block_length); ++i) {
+            FacingPair& pair = pairs_[i];
+            if (pair.due <= now) {
+                FacingCandidate& one = chunk.due.emplace_back();
+                one.pair = static_cast<Index>(i);
+                one.old = pair.touch;
+                if (one.old != none) one.old_normal = before_[one.old].normal;
+                one.alone = old_touches_of(pair.first).empty() && old_touches_of(pair.second).empty();
+            }
+            pair.touch = none;
         }
-        pair.touch = none;
     }
     FacingTest(mesh_, motion, standing_).test(pairs_, chunk.due, chunk.left);
+    for (const std::size_t block : chunk.looked_at) {
+        double due = pairs_[block * block_length].due;
+        for (std::size_t i = block * block_length; i < std::min(end, (block + 1) * block_length); ++i)
+            due = std::min(due, pairs_[i].due);
+        block_due_[block] = due;
+    }
     for (const FacingCandidate& one : chunk.left) {
         FacingTouch touch;
         if (touch_of(motion, step, one, touch)) chunk.found.push_back({one.pair, touch});

@@ -74,6 +74,7 @@ private:
             FacingTouch touch;
         };
         std::vector<FacingCandidate> due, left;
+        std::vector<std::size_t> looked_at; ///< blocks of pairs
         std::vector<Found> found;
     };
     const ContactMesh& mesh_;
@@ -82,6 +83,8 @@ private:
     std::vector<double> area_mass_;   ///< by facet [mass/area]
     double margin_ = 0;
     std::vector<FacingPair> pairs_;
+    static constexpr std::size_t block_length = 16; ///< a part of chunk_length
+    std::vector<double> block_due_; ///< path before which no pair of a block is due; 0: not known [length]
     std::vector<Vec3> searched_at_;
     double test_due_ = 0;
     std::vector<std::uint8_t> sharp_;

@@ -1,7 +1,7 @@
 #include "contact/facing_test.h"
 
 #include "contact/bounding_tree.h"
-#include "math/lanes.h"
+#include "contact/lane_points.h"
 
 #include <cstring>
 
@@ -121,7 +121,7 @@ void FacingTest::test_batch(std::vector<FacingPair>& pairs, std::span<const Faci
                             std::vector<FacingCandidate>& left) const
 {
     enum Row {
-        gap_row = 24,
+        gap_row,
         depth_row,
         first_standing,
         second_standing,
@@ -135,18 +135,14 @@ void FacingTest::test_batch(std::vector<FacingPair>& pairs, std::span<const Faci
         rows
     };
     alignas(sizeof(Lanes)) double place[rows][lane_count];
+    Index corner[2][4][lane_count];
     for (int lane = 0; lane < lane_count; ++lane) {
         const FacingCandidate& one = batch[std::min<std::size_t>(lane, batch.size() - 1)];
         const FacingPair& pair = pairs[one.pair];
         const ContactMesh::Facet &a = mesh_.facets[pair.first], &b = mesh_.facets[pair.second];
-        for (int corner = 0; corner < 4; ++corner) {
-            const Vec3 &p = motion_.position[a.corner[corner]], &q = motion_.position[b.corner[corner]];
-            place[3 * corner][lane] = p.x;
-            place[3 * corner + 1][lane] = p.y;
-            place[3 * corner + 2][lane] = p.z;
-            place[3 * corner + 12][lane] = q.x;
-            place[3 * corner + 13][lane] = q.y;
-            place[3 * corner + 14][lane] = q.z;
+        for (int i = 0; i < 4; ++i) {
+            corner[0][i][lane] = a.corner[i];
+            corner[1][i][lane] = b.corner[i];
         }
         place[gap_row][lane] = a.half_thickness + b.half_thickness;
         place[depth_row][lane] = std::max(a.depth, b.depth);
@@ -161,13 +157,12 @@ void FacingTest::test_batch(std::vector<FacingPair>& pairs, std::span<const Faci
         place[alone][lane] = one.alone;
     }
     const auto row = [&](int number) { return load<Lanes>(place[number]); };
-    const auto corners = [&](int first) {
+    const auto corners = [&](int of) {
         LaneCorners q;
-        for (int i = 0; i < 4; ++i)
-            q[i] = {row(first + 3 * i), row(first + 3 * i + 1), row(first + 3 * i + 2)};
+        for (int i = 0; i < 4; ++i) q[i] = points_in_lanes(motion_.position.data(), corner[of][i]);
         return q;
     };
-    const LaneCorners at_a = corners(0), at_b = corners(12);
+    const LaneCorners at_a = corners(0), at_b = corners(1);
     const LaneFrame a(at_a), b(at_b);
     const Lanes zero{}, half = broadcast<Lanes>(0.5);
     const Lanes gap = row(gap_row), reach = max(gap, row(depth_row));

@@ -116,21 +116,27 @@ void SegmentOverlap::clip()
         area += 0.5 * (a.x * b.y - a.y * b.x);
     }
     const double turn = area < 0 ? -1 : 1;
-    std::array<Point2, most_corners> from{}, to{};
+    std::array<Point2, most_corners> room[2];
+    Point2 *from = room[0].data(), *to = room[1].data();
     int count = first_.triangle ? 3 : 4;
     for (int i = 0; i < count; ++i) from[i] = first_.at[i];
     for (int side = 0; side < sides && count > 0; ++side) {
         const Point2 &a = second_.at[side], &b = second_.at[(side + 1) % sides];
-        const auto inside = [&](const Point2& p) {
-            return turn * ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x));
-        };
+        const double along_x = turn * (b.x - a.x), along_y = turn * (b.y - a.y);
+        std::array<double, most_corners> inside;
+        double least = 1e300;
+        for (int i = 0; i < count; ++i) {
+            inside[i] = along_x * (from[i].y - a.y) - along_y * (from[i].x - a.x);
+            least = std::min(least, inside[i]);
+        }
+        if (least >= 0) continue;
         int kept = 0;
         for (int i = 0; i < count; ++i) {
-            const Point2 &p = from[i], &q = from[(i + 1) % count];
-            const double at_p = inside(p), at_q = inside(q);
-            if (at_p >= 0 && kept < most_corners) to[kept++] = p;
-            if ((at_p >= 0) == (at_q >= 0) || kept >= most_corners) continue;
-            const double along = at_p / (at_p - at_q);
+            const int next = i + 1 < count ? i + 1 : 0;
+            const Point2 &p = from[i], &q = from[next];
+            if (inside[i] >= 0 && kept < most_corners) to[kept++] = p;
+            if ((inside[i] >= 0) == (inside[next] >= 0) || kept >= most_corners) continue;
+            const double along = inside[i] / (inside[i] - inside[next]);
             to[kept++] = {p.x + along * (q.x - p.x), p.y + along * (q.y - p.y)};
         }
         count = kept;
