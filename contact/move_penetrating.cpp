@@ -12,7 +12,8 @@ namespace plash {
 
 namespace {
 
-/// Share of the shortest edge of the elements at a node by which it may be moved.
+/// Share of the shortest edge of the elements at a node by which it may be moved whatever its neighbours do,
+/// and of that of an element by which its nodes may be moved relative to one another otherwise.
 constexpr double farthest_share = 0.25;
 
 bool moves_nodes(const Contact& contact)
@@ -24,48 +25,85 @@ bool moves_nodes(const Contact& contact)
            !contact.constraint && contact.tie.method == Tie::Method::none;
 }
 
-/// By how much each node may be moved; nothing for nodes of rigid parts, particles and what ties hold.
+/// How far nodes may be moved: not those of rigid parts, particles and what ties hold; others by a share of
+/// the shortest edge at them, or farther along with their neighbours.
 class Room {
 public:
     Room(const Model& model, const std::vector<PartData>& parts)
-        : left_(model.nodes.size(), std::numeric_limits<double>::infinity())
+        : start_(model.nodes.position),
+          alone_(model.nodes.size(), std::numeric_limits<double>::infinity()),
+          stays_(model.nodes.size())
+    {
+        each_edge(model, [&](Index part, Index a, Index b, double) {
+            const double room = parts[part].rigid ? 0 : farthest_share * norm(start_[b] - start_[a]);
+            alone_[a] = std::min(alone_[a], room);
+            alone_[b] = std::min(alone_[b], room);
+        });
+        for (const Index node : model.particles.node) alone_[node] = 0;
+        for (const Contact& contact : model.contacts)
+            if (contact.kind == Contact::Kind::tied)
+                for (const ContactSide* side : {&contact.slave, &contact.master}) hold(model, parts, *side);
+    }
+
+    bool may_move(Index node, const Vec3& to) const
+    {
+        if (alone_[node] == 0 || !std::isfinite(alone_[node])) return false;
+        return !stays_[node] || norm(to - start_[node]) <= alone_[node];
+    }
+    /// Finds nodes that have been moved too far beside their neighbours: they may not any more. Of two that
+    /// were moved far, the one that went farther. Returns whether there are any.
+    bool find_spoiled(const Model& model)
+    {
+        const std::vector<Vec3>& place = model.nodes.position;
+        bool any = false;
+        each_edge(model, [&](Index, Index a, Index b, double shortest) {
+            const Vec3 way_a = place[a] - start_[a], way_b = place[b] - start_[b];
+            if (norm(way_a - way_b) <= farthest_share * shortest) return;
+            const double farthest = std::max(norm(way_a), norm(way_b));
+            const auto stop = [&](Index node, double path) {
+                if (stays_[node] || path <= alone_[node] || path < (1 - 1e-9) * farthest) return;
+                stays_[node] = any = true;
+            };
+            stop(a, norm(way_a));
+            stop(b, norm(way_b));
+        });
+        return any;
+    }
+    /// No node goes farther than it may alone.
+    void stop_all() { std::fill(stays_.begin(), stays_.end(), 1); }
+
+private:
+    std::vector<Vec3> start_;
+    std::vector<double> alone_;       ///< by which a node may be moved in any case [length]
+    std::vector<std::uint8_t> stays_; ///< may not be moved by more than that
+
+    /// function(part, a, b, shortest edge of the element at the start) for every edge of every element.
+    template <class Function>
+    void each_edge(const Model& model, Function&& function) const
     {
         // Edges of hexahedra; a repeated corner makes none. Diagonals of quadrilaterals are no edges.
         static constexpr int brick[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                                              {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
         static constexpr int sheet[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
         static constexpr int rod[1][2] = {{0, 1}};
-        limit(model, parts, model.shells, sheet);
-        limit(model, parts, model.solids, brick);
-        limit(model, parts, model.thick_shells, brick);
-        limit(model, parts, model.beams, rod);
-        for (const Index node : model.particles.node) left_[node] = 0;
-        for (const Contact& contact : model.contacts)
-            if (contact.kind == Contact::Kind::tied)
-                for (const ContactSide* side : {&contact.slave, &contact.master}) hold(model, parts, *side);
+        each_edge_of(model.shells, sheet, function);
+        each_edge_of(model.solids, brick, function);
+        each_edge_of(model.thick_shells, brick, function);
+        each_edge_of(model.beams, rod, function);
     }
-
-    double left(Index node) const { return std::isfinite(left_[node]) ? left_[node] : 0; }
-    void take(Index node, double path) { left_[node] -= path; }
-
-private:
-    std::vector<double> left_;
-
-    template <class Elements, std::size_t count>
-    void limit(const Model& model, const std::vector<PartData>& parts, const Elements& elements,
-               const int (&edges)[count][2])
+    template <class Elements, std::size_t count, class Function>
+    void each_edge_of(const Elements& elements, const int (&edges)[count][2], Function& function) const
     {
-        const std::vector<Vec3>& place = model.nodes.position;
         for (std::size_t i = 0; i < elements.size(); ++i) {
-            const auto& corner = elements.nodes[i];
-            const bool rigid = parts[elements.part[i]].rigid;
-            for (const auto& [from, to] : edges) {
-                const Index a = corner[from], b = corner[to];
-                if (a == none || b == none || a == b) continue;
-                const double room = rigid ? 0 : farthest_share * norm(place[b] - place[a]);
-                left_[a] = std::min(left_[a], room);
-                left_[b] = std::min(left_[b], room);
-            }
+            const auto each = [&](auto&& one) {
+                for (const auto& [from, to] : edges) {
+                    const Index a = elements.nodes[i][from], b = elements.nodes[i][to];
+                    if (a != none && b != none && a != b) one(a, b);
+                }
+            };
+            double shortest = std::numeric_limits<double>::infinity();
+            each([&](Index a, Index b) { shortest = std::min(shortest, norm(start_[b] - start_[a])); });
+            each([&](Index a, Index b) { function(elements.part[i], a, b, shortest); });
         }
     }
 
@@ -74,14 +112,13 @@ private:
     {
         SurfaceOptions options;
         options.with_beams = true;
-        for (const ContactNode& node : make_surface(model, parts, side, options).nodes) left_[node.node] = 0;
+        for (const ContactNode& node : make_surface(model, parts, side, options).nodes) alone_[node.node] = 0;
     }
 };
 
-/// Moves the nodes of a contact once; what a node still penetrates follows from what was moved before it.
-/// Between two surfaces it is moved away from the one that it touches first.
-std::map<Index, MovedNode> move_nodes(Model& model, const Contact& contact, const ContactMesh& mesh,
-                                      Room& room)
+/// Touches of a contact at the start; the first surface gives way, then what is still in the way of the
+/// second.
+TouchList touches_at_start(const Model& model, const Contact& contact, const ContactMesh& mesh)
 {
     ContactMotion motion;
     motion.velocity.resize(mesh.nodes.size());
@@ -94,29 +131,52 @@ std::map<Index, MovedNode> move_nodes(Model& model, const Contact& contact, cons
     TouchFinder(mesh, motion, contact.square_edges)
         .find(search.pairs(), 0, table.owners(), table, finder_room);
     TouchList touches = table.list(mesh, motion);
-    // The first surface gives way, then what is still in the way of the second.
     std::stable_sort(touches.all.begin(), touches.all.end(), [&](const Touch& a, const Touch& b) {
         return (mesh.nodes[a.node].sides & slave_bit) > (mesh.nodes[b.node].sides & slave_bit);
     });
+    return touches;
+}
+
+/// Moves the nodes of a contact once; what a node still penetrates follows from what was moved before it.
+/// Between two surfaces it is moved away from the one that it touches first.
+std::map<Index, MovedNode> move_once(Model& model, const ContactMesh& mesh, const TouchList& touches,
+                                     const Room& room)
+{
+    std::vector<Vec3>& place = model.nodes.position;
     std::map<Index, MovedNode> moved;
     for (const Touch& touch : touches.all) {
         const auto& facet = mesh.facets[touch.facet];
         const auto share = corner_shares(touch.s, touch.t, facet.triangle());
-        Vec3 offset = motion.position[touch.node];
-        for (int i = 0; i < 4; ++i) offset -= share[i] * motion.position[facet.corner[i]];
+        const Index node = mesh.nodes[touch.node].node;
+        Vec3 offset = place[node];
+        for (int i = 0; i < 4; ++i) offset -= share[i] * place[mesh.nodes[facet.corner[i]].node];
         const double gap = mesh.nodes[touch.node].half_thickness + facet.half_thickness;
         const double depth = gap - dot(offset, touch.normal);
-        const Index node = mesh.nodes[touch.node].node;
-        if (depth <= 1e-6 * std::max(gap, facet.size) || depth > room.left(node)) continue;
+        const Vec3 to = place[node] + depth * touch.normal;
+        if (depth <= 1e-6 * std::max(gap, facet.size) || !room.may_move(node, to)) continue;
         MovedNode& one = moved[node];
-        if (one.node == none) one = {node, none, 0, model.nodes.position[node]};
-        if (dot(model.nodes.position[node] - one.from, touch.normal) < 0) continue; // it came from there
+        if (one.node == none) one = {node, none, 0, place[node]};
+        if (dot(place[node] - one.from, touch.normal) < 0) continue; // it came from there
         one.depth = std::max(one.depth, depth);
-        room.take(node, depth);
-        motion.position[touch.node] += depth * touch.normal;
-        model.nodes.position[node] = motion.position[touch.node];
+        place[node] = to;
     }
     return moved;
+}
+
+/// Moves anew, with less freedom, until no element is spoiled: nodes that have to stay leave the way to
+/// others.
+std::map<Index, MovedNode> move_nodes(Model& model, const Contact& contact, const ContactMesh& mesh,
+                                      Room& room)
+{
+    constexpr int most_rounds = 30;
+    const TouchList touches = touches_at_start(model, contact, mesh);
+    const std::vector<Vec3> before = model.nodes.position;
+    for (int round = 0;; ++round) {
+        auto moved = move_once(model, mesh, touches, room);
+        if (round > most_rounds || !room.find_spoiled(model)) return moved;
+        model.nodes.position = before;
+        if (round == most_rounds) room.stop_all();
+    }
 }
 
 } // namespace

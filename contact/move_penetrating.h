@@ -20,9 +20,10 @@ struct MovedNode {
 /// nodes; to be called before the scene is made. One contact after the other in the deck's order, nodes of
 /// the first surface before those of the second, each once.
 ///
-/// Nodes of rigid parts, of particles and of what is tied stay, and no node is moved by more than a quarter
-/// of the shortest edge of the elements at it (all contacts together): what is left of the penetration gives
-/// no force as long as it gets no deeper.
+/// Nodes of rigid parts, of particles and of what is tied stay. A node is moved by more than a quarter of the
+/// shortest edge of the elements at it (all contacts together) only along with its neighbours, beside which
+/// it goes no farther than that: a sheet is lifted as a whole, but no element is spoiled. What is left of the
+/// penetration gives no force as long as it gets no deeper.
 std::vector<MovedNode> move_penetrating_nodes(Model& model);
 
 /// Lines for people: how many nodes of each contact were moved, and the ten that were moved most.

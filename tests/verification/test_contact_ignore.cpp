@@ -96,14 +96,42 @@ TEST(ContactIgnore, RigidNodesStay)
     EXPECT_EQ(deck.moved.size(), 25u) << "those under the rigid sheet, whose sides are at -10 and 10";
 }
 
-/// What lies deeper than a quarter of the shortest edge (4) stays: a move would spoil the elements.
-TEST(ContactIgnore, DeepPenetrationsStay)
+/// What lies deeper than a quarter of the shortest edge (4) is moved along with its neighbours: a sheet is
+/// lifted as a whole.
+TEST(ContactIgnore, DeepPenetrationsAreMovedWithTheirNeighbours)
 {
     Sheets sheets;
-    sheets.thickness = 1.5; // by 0.9
-    EXPECT_EQ(moved_without_force(sheets, 1.5, 0).size(), 36u);
-    sheets.thickness = 1.7; // by 1.1
-    EXPECT_TRUE(moved_without_force(sheets, 0.6, 0).empty());
+    for (const double thickness : {1.5, 1.7, 2.4}) { // by 0.9, 1.1, 1.8
+        sheets.thickness = thickness;
+        const std::vector<MovedNode> moved = moved_without_force(sheets, thickness, 0);
+        ASSERT_EQ(moved.size(), 36u) << thickness;
+        for (const MovedNode& one : moved) EXPECT_NEAR(one.depth, thickness - 0.6, 1e-12);
+    }
+}
+
+/// Where the neighbours do not go along, it stays: a move would spoil the elements. A node that lies 1.2
+/// deeper than the others of its sheet stays, 0.9 deeper it is moved with them; either way nothing presses.
+TEST(ContactIgnore, WhatWouldSpoilElementsStays)
+{
+    for (const double deeper : {0.9, 1.2}) {
+        Sheets sheets;
+        sheets.thickness = 2;
+        std::string text = sheets.text();
+        DeckRun deck(text);
+        ASSERT_TRUE(deck.scene);
+        Model model = deck.read->model; // as moved: the upper sheet at 2
+        const Index node = 14;          // inside of it
+        for (Index upper = 0; upper < 36; ++upper)
+            model.nodes.position[upper].z = upper == node ? 1.8 - deeper : 1.8;
+        const std::vector<MovedNode> moved = move_penetrating_nodes(model);
+        int of_upper = 0;
+        for (const MovedNode& one : moved) of_upper += one.node < 36;
+        EXPECT_EQ(of_upper, deeper < 1 ? 36 : 35);
+        // Where the upper sheet stays, the lower one gives way: four nodes under the facets of the node.
+        EXPECT_EQ(moved.size() - of_upper, deeper < 1 ? 0u : 4u);
+        EXPECT_NEAR(model.nodes.position[node].z, deeper < 1 ? 2 : 1.8 - deeper, 1e-12);
+        EXPECT_NEAR(model.nodes.position[node + 1].z, 2, 1e-12);
+    }
 }
 
 } // namespace plash
