@@ -34,10 +34,11 @@ double work_of_forces(const FluidFields& fields, std::span<const NodeForceFromOu
 }
 
 OutsideWork apply_outside(FluidFields& fields, std::span<const NodeForceFromOutside> forces,
-                          std::span<const HeldNode> held, double step, double impulse_step,
-                          const std::array<double, 3>& gravity)
+                          std::span<const HeldNode> held, std::span<const SlipNode> slipping, double step,
+                          double impulse_step, const std::array<double, 3>& gravity)
 {
     OutsideWork work = push_nodes(fields, forces, step, impulse_step, gravity);
+    work.gravity -= slip_along(fields, slipping, step, gravity);
     for (const HeldNode& node : held) {
         for (int axis = 0; axis < 3; ++axis) {
             if (!(node.axes & (1u << axis))) continue;

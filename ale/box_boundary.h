@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ale/box_fields.h"
+#include "ale/slip_nodes.h"
 
 #include <span>
 
@@ -35,9 +36,11 @@ OutsideWork push_nodes(FluidFields&, std::span<const NodeForceFromOutside>, doub
 /// Work of outside forces in the step, once its mean velocities are known [energy].
 double work_of_forces(const FluidFields&, std::span<const NodeForceFromOutside>, double impulse_step);
 
-/// Adds outside forces to the velocities that accelerate() has found, then gives held nodes theirs.
+/// Adds outside forces to the velocities that accelerate() has found, then gives slipping and held nodes
+/// theirs.
 OutsideWork apply_outside(FluidFields&, std::span<const NodeForceFromOutside>, std::span<const HeldNode>,
-                          double step, double impulse_step, const std::array<double, 3>& gravity);
+                          std::span<const SlipNode>, double step, double impulse_step,
+                          const std::array<double, 3>& gravity);
 
 /// Velocities of held nodes after the remap; the kinetic energy that this takes counts as lost in the remap.
 void hold_nodes(FluidFields&, std::span<const HeldNode>);

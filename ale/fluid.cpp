@@ -66,6 +66,7 @@ void Fluid::close(const DryFace& face)
 void Fluid::start()
 {
     update_contents();
+    slip_after_remap(fields, slipping);
     hold_nodes(fields, held);
     limit_ = evaluate(0);
     find_node_masses();
@@ -102,6 +103,7 @@ double Fluid::remap()
 {
     const double before = open_sides ? sum_internal() : 0;
     const double left = sweep();
+    slip_after_remap(fields, slipping);
     hold_nodes(fields, held);
     if (open_sides) energies_.outflow += before - sum_internal() + left;
     if (!fields.lost_motion.empty()) energies_.advection_loss -= return_lost_motion();
@@ -112,8 +114,9 @@ void Fluid::advance(double step, double impulse_step)
 {
     const double gravity_work = accelerate(step);
     const OutsideWork by_loads = push_nodes(fields, loads, step, step, gravity);
-    const OutsideWork outside = apply_outside(fields, outside_forces, held, step, impulse_step, gravity);
-    energies_.outside_work += gravity_work + outside.gravity + outside.driving;
+    const OutsideWork outside =
+        apply_outside(fields, outside_forces, held, slipping, step, impulse_step, gravity);
+    energies_.outside_work += gravity_work + outside.gravity + outside.driving + further_gravity_work(step);
     if (!loads.empty()) energies_.outside_work += by_loads.gravity + work_of_forces(fields, loads, step);
     energies_.coupling_work += outside.forces;
     deform(step);

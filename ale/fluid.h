@@ -5,6 +5,7 @@
 #include "ale/lagrange.h"
 #include "ale/mesh_point.h"
 #include "ale/remap.h"
+#include "ale/slip_nodes.h"
 #include "math/vector3.h"
 
 namespace plash {
@@ -36,6 +37,7 @@ struct FluidCell {
 struct OuterNode {
     std::size_t number;
     int axis;
+    Vec3 area{}; ///< outward, that the node has of the face; only without an axis [length^2]
 };
 
 /// A face behind a coupled surface: some fluids do not leave the cell through it.
@@ -58,6 +60,7 @@ public:
     double outside_pressure = 0;     ///< on the outer faces [pressure]
     FluidFields fields;
     std::vector<HeldNode> held;
+    std::vector<SlipNode> slipping;
     std::vector<NodeForceFromOutside> outside_forces; ///< of the coming step; the owner fills and clears it
     std::vector<DryFace> dry_faces;                   ///< likewise
     std::vector<NodeForceFromOutside> loads;          ///< likewise, but on the fluid alone, over its own step
@@ -97,6 +100,9 @@ public:
     virtual FluidCell cell(std::size_t number) const = 0;
     virtual std::ptrdiff_t node_place(std::size_t number) const = 0;
     virtual std::vector<OuterNode> outer_nodes() const = 0;
+    /// Nothing passes outer faces between nodes that slip, though their walls be curved. To be called before
+    /// the start.
+    virtual void close_curved_walls() {}
     /// Moves the mesh as a whole.
     virtual void shift(const std::array<double, 3>& distance) = 0;
 
@@ -123,6 +129,8 @@ protected:
     /// The parts of a step, each on the mesh of the derived class; see the functions of the same names in
     /// ale/lagrange.h, ale/remap.h and ale/box_boundary.h.
     virtual double accelerate(double step) = 0;
+    /// What gravity has done besides its work on the masses of the nodes, once mean velocities are known.
+    virtual double further_gravity_work(double) const { return 0; }
     virtual void deform(double step) = 0;
     virtual double work_on_sides() const = 0;
     /// Returns the kinetic energy that has left through open sides.

@@ -57,6 +57,8 @@ EulerianFluid::EulerianFluid(const Model& model, MeshBlock block, DeckGroups gro
     fluid_->order = settings.order;
     if (settings.smooth > 0) fluid_->keep_smooth_slopes(settings.smooth);
     fluid_->open_sides = boundary_.open;
+    fluid_->slipping = boundary_.slipping;
+    fluid_->close_curved_walls();
     fluid_->outside_pressure = settings.outside_pressure;
     fill_initial_state(*fluid_, block_, groups_, model);
     set_hydrostatic_state(*fluid_, block_, groups_, model);

@@ -3,8 +3,10 @@
 #include "core/prescribed_rate.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <unordered_map>
 
 namespace plash {
@@ -19,6 +21,20 @@ int axis_of(const Vec3& direction)
     for (int axis = 0; axis < 3; ++axis)
         if (std::abs(std::abs(parts[axis]) - 1) < 1e-12) return axis;
     return -1;
+}
+
+/// Sums of the areas of outer faces by node; faces that meet at an edge of the mesh apart.
+using WallDirections = std::map<std::ptrdiff_t, std::vector<Vec3>>;
+
+/// A wall that is bent by less than 30 degrees is one.
+void add_wall(std::vector<Vec3>& directions, const Vec3& area)
+{
+    for (Vec3& known : directions)
+        if (dot(unit(known), unit(area)) > 0.866) {
+            known += area;
+            return;
+        }
+    directions.push_back(area);
 }
 
 } // namespace
@@ -40,18 +56,19 @@ MeshBoundary mesh_boundary_of(const Fluid& fluid, const MeshBlock& block, const 
         return found->second;
     };
     using Boundary = FluidSettings::Boundary;
+    WallDirections oblique;
+    const auto exempt = [&](const OuterNode& node) {
+        return !settings.exempt.empty() && settings.exempt[block.nodes[node.number]];
+    };
     if (settings.boundary != Boundary::open) {
         for (const OuterNode& node : fluid.outer_nodes()) {
-            if (!settings.exempt.empty() && settings.exempt[block.nodes[node.number]]) continue;
-            const bool stick = settings.boundary == Boundary::stick;
-            if (!stick && node.axis < 0)
-                throw DeckError({},
-                                fmt::format("*CONTROL_ALE, field EBC = 2 (slip): the outer face at node {} "
-                                            "of the Eulerian mesh is not across a global axis; there, "
-                                            "nodes can stick (1), be free (0) or be held by "
-                                            "*BOUNDARY_SPC",
-                                            model.nodes.id[block.nodes[node.number]]));
-            hold(fluid.node_place(node.number), stick ? all_axes : 1u << node.axis);
+            if (exempt(node)) continue;
+            if (settings.boundary == Boundary::stick)
+                hold(fluid.node_place(node.number), all_axes);
+            else if (node.axis >= 0)
+                hold(fluid.node_place(node.number), 1u << node.axis);
+            else
+                add_wall(oblique[fluid.node_place(node.number)], node.area);
         }
     }
     for (const FixedNodes& fixed : model.fixed_nodes) {
@@ -80,9 +97,25 @@ MeshBoundary mesh_boundary_of(const Fluid& fluid, const MeshBlock& block, const 
             boundary.driven.push_back({hold(found->second, 1u << axis), axis, &motion});
         }
     }
+    for (auto& [node, directions] : oblique) {
+        const auto found = known.find(node);
+        const unsigned axes = found == known.end() ? 0 : boundary.held[found->second].axes;
+        for (int axis = 0; axis < 3; ++axis)
+            if (axes & (1u << axis))
+                directions.push_back(axis == 0 ? Vec3{1, 0, 0} : axis == 1 ? Vec3{0, 1, 0} : Vec3{0, 0, 1});
+        // Axes first: a velocity that they hold stays held.
+        std::rotate(directions.begin(), directions.end() - std::popcount(axes), directions.end());
+        std::array<Vec3, 3> across;
+        const int count = span_of(directions, across);
+        if (count == 3)
+            hold(node, all_axes);
+        else
+            boundary.slipping.push_back({node, count, {across[0], across[1]}});
+    }
     std::unordered_map<std::ptrdiff_t, unsigned> outer; // axes across whose outer faces a node lies
     for (const OuterNode& node : fluid.outer_nodes())
-        outer[fluid.node_place(node.number)] |= node.axis < 0 ? all_axes : 1u << node.axis;
+        if (node.axis >= 0 || settings.boundary != Boundary::slip || exempt(node))
+            outer[fluid.node_place(node.number)] |= node.axis < 0 ? all_axes : 1u << node.axis;
     for (const auto& [node, axes] : outer) {
         const auto found = known.find(node);
         const unsigned held = found == known.end() ? 0 : boundary.held[found->second].axes;

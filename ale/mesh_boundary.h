@@ -17,6 +17,7 @@ struct DrivenHold {
 /// (velocities along an axis) and *CONTROL_ALE EBC.
 struct MeshBoundary {
     std::vector<HeldNode> held;
+    std::vector<SlipNode> slipping; ///< on walls that are oblique to the axes
     std::vector<DrivenHold> driven;
     bool open = false; ///< fluid may cross an outer face somewhere
 

@@ -18,6 +18,7 @@ HexFluid::HexFluid(HexMesh all_cells, std::vector<FluidGroup> all_groups, Lagran
       layout_(mesh),
       activity_(mesh, sweeps_, mixed_),
       locator_(mesh),
+      weight_(mesh),
       mid_pressure_(fields.pressure.size()),
       face_rate_(padded(mesh.faces.size()) + lane_count),
       volume_flux_(face_rate_.size()),
@@ -90,13 +91,39 @@ std::vector<OuterNode> HexFluid::outer_nodes() const
     for (const HexFace& face : mesh.faces) {
         if (face.below != none && face.above != none) continue;
         const Vec3 area = (face.area[0] + face.area[1]) + (face.area[2] + face.area[3]);
+        const double outward = face.above == none ? 1 : -1;
         const double parts[3] = {area.x, area.y, area.z};
         int along = -1;
         for (int axis = 0; axis < 3; ++axis)
             if (std::abs(parts[axis]) > (1 - 1e-9) * norm(area)) along = axis;
-        for (const Index node : face.nodes) nodes.push_back({static_cast<std::size_t>(node), along});
+        for (int n = 0; n < 4; ++n)
+            nodes.push_back({static_cast<std::size_t>(face.nodes[n]), along, outward * face.area[n]});
     }
     return nodes;
+}
+
+/// The velocity of a node on a curved wall is tangential to the wall there, not to each of its faces: what
+/// passed one of them outward would come back through the next. Without their areas neither passes, and
+/// pressure does the same work on the motion as on the cells. Viscous stress still sees the whole cell.
+void HexFluid::close_curved_walls()
+{
+    std::vector<const SlipNode*> slip_of(mesh.nodes());
+    for (const SlipNode& node : slipping) slip_of[node.place] = &node;
+    for (std::size_t number = 0; number < mesh.faces.size(); ++number) {
+        const HexFace& face = mesh.faces[number];
+        if (face.below != none && face.above != none) continue;
+        bool wall = true, curved = false;
+        for (int n = 0; n < 4; ++n) {
+            const SlipNode* node = slip_of[face.nodes[n]];
+            wall = wall && node;
+            if (!node) break;
+            Vec3 along = face.area[n];
+            for (int i = 0; i < node->count; ++i)
+                along -= dot(along, node->directions[i]) * node->directions[i];
+            curved = curved || norm(along) > 1e-9 * norm(face.area[n]);
+        }
+        if (wall && curved) layout_.close(mesh, number);
+    }
 }
 
 void HexFluid::shift(const std::array<double, 3>& distance)

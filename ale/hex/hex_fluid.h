@@ -7,6 +7,7 @@
 #include "ale/hex/hex_locator.h"
 #include "ale/hex/hex_mesh.h"
 #include "ale/hex/hex_sweep.h"
+#include "ale/hex/hex_weight.h"
 
 namespace plash {
 
@@ -27,6 +28,7 @@ public:
     FluidCell cell(std::size_t number) const override;
     std::ptrdiff_t node_place(std::size_t number) const override { return number; }
     std::vector<OuterNode> outer_nodes() const override;
+    void close_curved_walls() override;
     void shift(const std::array<double, 3>& distance) override;
 
     MeshPoint locate(const Vec3& point, const std::array<int, 3>& guess) const override;
@@ -41,6 +43,7 @@ public:
 
 protected:
     double accelerate(double step) override;
+    double further_gravity_work(double step) const override;
     void deform(double step) override;
     double work_on_sides() const override;
     double sweep() override;
@@ -60,6 +63,7 @@ private:
     HexLayout layout_;
     HexActivity activity_;
     HexLocator locator_;
+    HexWeight weight_;
     Vec3 offset_{};          ///< that the mesh has moved [length]
     double common_size_ = 0; ///< median of the smallest widths of cells [length]
 
@@ -86,6 +90,7 @@ private:
     std::vector<std::uint8_t> still_nodes_, still_cells_; ///< batches without motion, without pressure
 
     bool mesh_moves() const;
+    bool weighs() const;
     const AlignedDoubles& seen() const { return mesh_moves() ? face_seen_ : face_rate_; }
     void find_face_rates(const std::array<AlignedDoubles, 3>& velocity, double step);
     std::array<Vec3, 3> velocity_gradient(std::size_t cell, const std::array<AlignedDoubles, 3>& of) const;

@@ -10,6 +10,8 @@ double HexFluid::accelerate(double step)
 {
     const double* mass = fields.total_mass().data();
     const bool viscous = !fields.viscous[0].empty();
+    const bool weigh = weighs();
+    if (weigh) weight_.prepare(mesh, mass, gravity);
     for_chunks(mesh.cells(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t cell = begin; cell < end; cell += lane_count)
             store(&mid_pressure_[cell], load<Lanes>(&fields.pressure[cell]) +
@@ -26,6 +28,7 @@ double HexFluid::accelerate(double step)
                     store(&fields.velocity[axis][node], Lanes{});
                     store(&fields.mean_velocity[axis][node], Lanes{});
                 }
+                if (weigh) weight_.keep(node, {});
                 still = 1;
                 continue;
             }
@@ -49,6 +52,14 @@ double HexFluid::accelerate(double step)
                 force[2] -= stress[5] * area[0] + stress[4] * area[1] + stress[2] * area[2];
             }
             own_mass *= 0.125;
+            if (weigh) {
+                std::array<Lanes, 3> difference = weight_.on_nodes(layout_, node, gravity);
+                for (int axis = 0; axis < 3; ++axis) {
+                    difference[axis] -= own_mass * gravity[axis];
+                    force[axis] += difference[axis];
+                }
+                weight_.keep(node, difference);
+            }
             const auto has = own_mass > 0.0;
             const Lanes per_mass = has ? step / own_mass : Lanes{};
             store(&fields.node_mass[node], own_mass);
@@ -64,6 +75,16 @@ double HexFluid::accelerate(double step)
         }
         return sum_of(work);
     });
+}
+
+bool HexFluid::weighs() const
+{
+    return weight_.needed() && (gravity[0] != 0 || gravity[1] != 0 || gravity[2] != 0);
+}
+
+double HexFluid::further_gravity_work(double step) const
+{
+    return weighs() ? weight_.work(mesh.nodes(), fields.mean_velocity, step) : 0;
 }
 
 /// Entry a holds the gradient of component a [1/time].

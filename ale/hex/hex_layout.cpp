@@ -102,6 +102,24 @@ void lay_out_cells(HexLayout& layout, const HexMesh& mesh)
 
 } // namespace
 
+void HexLayout::close(const HexMesh& mesh, std::size_t number)
+{
+    const HexFace& face = mesh.faces[number];
+    const Index cell = face.above == none ? face.below : face.above;
+    const double outward = face.above == none ? 1 : -1;
+    for (int n = 0; n < 4; ++n) {
+        const Index node = face.nodes[n];
+        const double area[3] = {face.area[n].x, face.area[n].y, face.area[n].z};
+        const auto own = std::find_if(corners.begin(), corners.end(),
+                                      [&](const Corner& corner) { return corner.cell.place[node] == cell; });
+        for (int axis = 0; axis < 3; ++axis) {
+            face_area[n][axis][number] = 0;
+            outer_area[axis][node] -= outward * area[axis];
+            own->area[axis][node] -= outward * area[axis];
+        }
+    }
+}
+
 HexLayout::HexLayout(const HexMesh& mesh)
 {
     lay_out_nodes(*this, mesh);

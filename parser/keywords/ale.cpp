@@ -72,6 +72,28 @@ std::vector<double> planes_of(const Record& mesh, std::string_view field, Readin
     return planes;
 }
 
+/// *ALE_STRUCTURED_MESH_REFINE: cuts the cells of a mesh along an axis into equal pieces.
+void refine(std::vector<double>& planes, const Record& mesh, std::string_view field, Reading& reading)
+{
+    for (const Record& record : reading.model.others) {
+        if (record.keyword != "ALE_STRUCTURED_MESH_REFINE" ||
+            record.integer("MSHID") != mesh.integer("MSHID"))
+            continue;
+        const Id pieces = record.integer(field);
+        if (pieces < 1) {
+            reading.error(record, field, "a cell is cut into at least one piece");
+            return;
+        }
+        std::vector<double> finer;
+        for (std::size_t i = 0; i + 1 < planes.size(); ++i)
+            for (Id piece = 0; piece < pieces; ++piece)
+                finer.push_back(planes[i] + (planes[i + 1] - planes[i]) * static_cast<double>(piece) /
+                                                static_cast<double>(pieces));
+        finer.push_back(planes.back());
+        planes = std::move(finer);
+    }
+}
+
 /// The mesh part: as the deck has it, else made here. Without a section it gets that of a multi-material
 /// mesh.
 Index mesh_part(const Record& mesh, Reading& reading)
@@ -122,11 +144,13 @@ Id first_free(Id wanted, const std::vector<Id>& ids)
 
 void read_structured_mesh(const Record& mesh, const Block&, Reading& reading)
 {
-    const std::array<std::vector<double>, 3> planes{planes_of(mesh, "CPIDX", reading),
-                                                    planes_of(mesh, "CPIDY", reading),
-                                                    planes_of(mesh, "CPIDZ", reading)};
+    std::array<std::vector<double>, 3> planes{planes_of(mesh, "CPIDX", reading),
+                                              planes_of(mesh, "CPIDY", reading),
+                                              planes_of(mesh, "CPIDZ", reading)};
     for (const auto& axis : planes)
         if (axis.empty()) return;
+    constexpr const char* pieces[] = {"IFX", "IFY", "IFZ"};
+    for (int axis = 0; axis < 3; ++axis) refine(planes[axis], mesh, pieces[axis], reading);
     Model& model = reading.model;
     const CoordinateSystem system = mesh_system(mesh, reading);
     const Index part = mesh_part(mesh, reading);
@@ -168,6 +192,7 @@ void read_structured_mesh(const Record& mesh, const Block&, Reading& reading)
 
 constexpr Translator ale_table[] = {
     {"ALE_STRUCTURED_MESH_CONTROL_POINTS", Phase::properties},
+    {"ALE_STRUCTURED_MESH_REFINE", Phase::properties},
     {"ALE_STRUCTURED_MESH", Phase::elements, read_structured_mesh},
 };
 

@@ -66,11 +66,10 @@ struct Unrest {
     double acceleration = 0, speed = 0;
 };
 
-Unrest unrest_of_hexahedra(double shear, double bulge)
+Unrest unrest_of_hexahedra(double shear, double bulge, double level = 10.2)
 {
     constexpr int across = 4, layers = 24;
-    constexpr double level = 10.2;
-    std::string nodes = "*NODE\n90000,0,0,10.2\n", solids = "*ELEMENT_SOLID\n";
+    std::string nodes = fmt::format("*NODE\n90000,0,0,{}\n", level), solids = "*ELEMENT_SOLID\n";
     const auto node = [&](int i, int j, int k) { return 1 + i + (across + 1) * (j + (across + 1) * k); };
     for (int k = 0; k <= layers; ++k) {
         for (int j = 0; j <= across; ++j) {
@@ -185,6 +184,21 @@ TEST(AleDeck, ControlPointsGradeTheMesh)
     EXPECT_NEAR((x[6] - x[5]) / (x[5] - x[4]), 1 / 1.25, 1e-12);
     EXPECT_EQ(run.model().nodes.id.front(), 100);
     EXPECT_EQ(run.model().solids.id.front(), 500);
+}
+
+// *ALE_STRUCTURED_MESH_REFINE cuts every cell into 2 x 1 x 3 equal ones, graded cells too.
+TEST(AleDeck, CellsOfAStructuredMeshAreCut)
+{
+    EulerianRun run("*ALE_STRUCTURED_MESH\n7,10,1,1\n1,2,3\n"
+                    "*ALE_STRUCTURED_MESH_CONTROL_POINTS\n1\n1,0,1\n3,3\n"
+                    "*ALE_STRUCTURED_MESH_CONTROL_POINTS\n2\n1,0\n2,1\n"
+                    "*ALE_STRUCTURED_MESH_CONTROL_POINTS\n3\n1,0\n2,3\n"
+                    "*ALE_STRUCTURED_MESH_REFINE\n7,2,1,3\n*ALE_STRUCTURED_MESH_REFINE\n8,5,5,5\n" +
+                    testing::liquid_and_void(1000, 100) + testing::closed(0));
+    const BoxGrid& grid = run.term<EulerianFluid>().box().grid;
+    EXPECT_EQ(grid.planes(0), (std::vector<double>{0, 0.5, 1, 2, 3}));
+    EXPECT_EQ(grid.planes(1), (std::vector<double>{0, 1}));
+    EXPECT_EQ(grid.planes(2), (std::vector<double>{0, 1, 2, 3}));
 }
 
 // A lid that drives a box of fluid: nodes of the mesh follow *BOUNDARY_PRESCRIBED_MOTION, the mesh stays.
@@ -360,9 +374,18 @@ TEST(AleDeck, HydrostaticStartOfGeneralHexahedraIsAtRest)
     EXPECT_LT(unrest.speed, 1e-4);
 }
 
-// Open: a node has an eighth of the mass of each of its cells, but not the fourth part of the area of each of
-// their faces when these are no parallelograms: 0.0084 g.
-TEST(AleDeck, DISABLED_HydrostaticStartOfDistortedHexahedraIsAtRest)
+// Columns that bulge, up to a surface between two layers. With eighths of the cells' weights on their nodes
+// 0.0084 g.
+TEST(AleDeck, HydrostaticStartOfDistortedHexahedraIsAtRest)
+{
+    const Unrest unrest = unrest_of_hexahedra(0, 0.05, 10);
+    EXPECT_LT(unrest.acceleration, 1e-4 * 9.81);
+    EXPECT_LT(unrest.speed, 1e-4);
+}
+
+// Open: where the surface passes cells that bulge, their fractions are not the shares of their heights that
+// are wet. Measured 0.0025 g.
+TEST(AleDeck, DISABLED_HydrostaticStartInDistortedHexahedraIsAtRest)
 {
     EXPECT_LT(unrest_of_hexahedra(0, 0.05).acceleration, 1e-4 * 9.81);
 }
