@@ -39,7 +39,7 @@ $ plane; FORM 6: volumes as weights, corrected gradients
          1         0     1e+20         2         0         6
 *PLASH_SPH_FORMULATION
 $   kernel     delta      xsph     shift   tensile    filter      skin      visc
-         4       0.0       0.0       1.0       0.0         0       0.1         1
+         4       0.0       0.0{args.shift:10.1f}       0.0         0       0.1         1
 *CONTROL_BULK_VISCOSITY
      1e-09     1e-09
 $ floor, sides, lid: a point, a point further in, then the velocity
@@ -187,6 +187,7 @@ def main():
     parser.add_argument("--reynolds", type=float, default=100)
     parser.add_argument("--side", type=int, default=32, help="particles or cells along a side; even")
     parser.add_argument("--turns", type=float, default=12)
+    parser.add_argument("--shift", type=float, default=1, help="sph: strength of particle shifting, docs/sph.md")
     parser.add_argument("--smooth", type=float, default=0.2, help="ale: docs/eulerian.md; 0: plain van Leer")
     parser.add_argument("--all", action="store_true", help="ale: write the velocities of all nodes at the end")
     parser.add_argument("--start", nargs=2, metavar=("SIDE", "DIRECTORY"),
