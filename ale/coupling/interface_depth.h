@@ -11,8 +11,8 @@ namespace plash {
 /// crept behind the floor of a floating body weighs on it like ballast.
 ///
 /// Looked at are three cells in a row across the surface: the one of the point, the one before it, which must
-/// be full, and the one behind; only where the surface lies along them. They hold as much as lies before the
-/// planes through the points in them, or what more they hold is behind the surface. Along an edge of the
+/// be full, and the one behind, in the row that the normal is closest to. They hold as much as lies before
+/// the planes through the points in them, or what more they hold is behind the surface. Along an edge of the
 /// structure planes meet in a cell; they bound a structure that lies behind all of them (an outer corner of
 /// the fluid) or behind any.
 class InterfaceDepth {
