@@ -1,6 +1,6 @@
 #include "elements/initial_stress.h"
 
-#include "conditions/depth_stress.h"
+#include "materials/depth_stress.h"
 #include "materials/parameters.h"
 
 #include <algorithm>

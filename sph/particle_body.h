@@ -1,7 +1,7 @@
 #pragma once
 
-#include "conditions/depth_stress.h"
 #include "core/term.h"
+#include "materials/depth_stress.h"
 #include "model/model.h"
 #include "sph/active_region.h"
 #include "sph/density_rate.h"

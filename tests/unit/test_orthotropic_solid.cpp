@@ -22,7 +22,7 @@ std::vector<std::pair<const char*, double>> card(std::vector<std::pair<const cha
     return fields;
 }
 
-OrthotropicElasticSolid law_of(std::vector<std::pair<const char*, double>> more = {})
+OrthotropicElasticSolid orthotropic_law(std::vector<std::pair<const char*, double>> more = {})
 {
     return OrthotropicElasticSolid::from_record(make_record("MAT_ORTHOTROPIC_ELASTIC", card(std::move(more))),
                                                 Model{});
@@ -33,7 +33,7 @@ SymmetricTensor<double> stress_of(const Tensor3<double>& f, double angle = 0)
 {
     double history[] = {std::cos(angle), std::sin(angle), 0, -std::sin(angle), std::cos(angle), 0};
     SymmetricTensor<double> stress{};
-    law_of().update(stress, f, SymmetricTensor<double>{}, HistoryView<double>{history}, 1.0);
+    orthotropic_law().update(stress, f, SymmetricTensor<double>{}, HistoryView<double>{history}, 1.0);
     return stress;
 }
 
@@ -96,7 +96,7 @@ TEST(OrthotropicSolid, WavesRunWithTheStiffnessOfTheStrongAxis)
     const double p = -ba / eb, q = -ca / ec, r = -cb / ec;
     const double stiffest =
         1 / (1 / ea - (p * p / ec - 2 * p * q * r + q * q / eb) / (1 / (eb * ec) - r * r));
-    EXPECT_NEAR(law_of().wave_modulus(Tensor3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1}), stiffest, 1e-12);
+    EXPECT_NEAR(orthotropic_law().wave_modulus(Tensor3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1}), stiffest, 1e-12);
 }
 
 /// Pulled to twice its length along b without lateral strain: S = C E with E = 3/2, Cauchy = 2^2 S / 2; and

@@ -1,4 +1,4 @@
-#include "conditions/depth_stress.h"
+#include "materials/depth_stress.h"
 
 #include "materials/parameters.h"
 #include "model/eulerian.h"
