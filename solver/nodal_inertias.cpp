@@ -1,10 +1,11 @@
 #include "solver/nodal_inertias.h"
 
 #include "materials/parameters.h"
+#include "rigid/deck_nodes.h"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 namespace plash {
 
@@ -31,17 +32,14 @@ double inertia_of(const Record& record)
 
 void add_nodal_inertias(const Model& model, State& state)
 {
-    for (const Record& record : model.others) {
-        if (record.keyword != "ELEMENT_INERTIA") continue;
-        const auto& ids = model.nodes.id;
-        const auto found = std::find(ids.begin(), ids.end(), record.integer("NID"));
-        if (found == ids.end())
-            reject_field(record, "NID", fmt::format("there is no node {}", record.integer("NID")));
-        const auto node = static_cast<std::size_t>(found - ids.begin());
+    std::optional<DeckNodes> nodes; // only where a deck has such elements
+    for_each_record(model, "ELEMENT_INERTIA", [&](const Record& record) {
+        if (!nodes) nodes.emplace(model);
+        const Index node = nodes->find(record.integer("NID"), record, record.where.line);
         state.need_rotation();
         state.inertia[node] += inertia_of(record);
         state.mass[node] += record.real("MASS");
-    }
+    });
 }
 
 } // namespace plash

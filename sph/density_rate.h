@@ -141,8 +141,7 @@ private:
         } else {
             const Lane radius = other.position.x;
             const Lane across = -(apart.x * velocity.x) * slope;
-            const Lane mean = radius < Lane{} ? Lane{} : 0.5 * (own_.position.x + radius);
-            const Lane along = -(apart.y * velocity.y) * slope * mean;
+            const Lane along = -(apart.y * velocity.y) * slope * mean_radius(own_.position.x, radius);
             return {across + along / ring_radius(own_.position.x, own_.smoothing),
                     across + along / ring_radius(radius, other.smoothing)};
         }

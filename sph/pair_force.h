@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sph/pairs.h"
+#include "sph/ring_radius.h"
 
 namespace plash {
 
@@ -131,7 +132,7 @@ private:
         if constexpr (tensor) load_lines(records.tension->component, places, t);
         if constexpr (rings) {
             const Lane own_radius = own_.position.x;
-            const Lane mean = radius < Lane{} ? Lane{} : 0.5 * (own_radius + radius);
+            const Lane mean = mean_radius(own_radius, radius);
             if constexpr (!tensor) {
                 return {(own_radius * push_ + radius * push) * apart.x, mean * (push_ + push) * apart.y,
                         Lane{}};

@@ -14,4 +14,12 @@ Lane ring_radius(const Lane& x, const Lane& smoothing)
     return max(x, least * smoothing);
 }
 
+/// Mean radius of two rings, by which pairs weigh what is along the axis (sph/rings.h); 0 for an image beyond
+/// the axis, which stands at a negative x [length].
+template <class Lane>
+Lane mean_radius(const Lane& own, const Lane& other)
+{
+    return other < Lane{} ? Lane{} : 0.5 * (own + other);
+}
+
 } // namespace plash

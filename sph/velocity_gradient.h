@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sph/pairs.h"
+#include "sph/ring_radius.h"
 
 namespace plash {
 
@@ -14,7 +15,7 @@ static_assert(sizeof(GradientSums) == 128);
 
 /// Gradient of the velocity by pairs, and what corrects it: `velocity` times the inverse of `moment` is exact
 /// for any linear field (Randles & Libersky 1996; Bonet & Lok 1999). Velocities at n - 1/2 at the positions
-/// of n - 1/2.
+/// of n - 1/2. With `rings` the rows of v_y are weighed by mean radii; the taker divides by the own one.
 template <class Lane, class Kernel, bool rings = false>
 class VelocityGradient {
 public:
@@ -73,11 +74,7 @@ private:
         const Lane inverse_smoothing = reciprocal(0.5 * (own_.smoothing + other.smoothing));
         const Vector3<Lane> slope =
             steepness_(square, reciprocal_root(square), inverse_smoothing) * apart; // -grad W
-        if constexpr (rings) {
-            const Lane radius = other.position.x;
-            const Lane mean = radius < Lane{} ? Lane{} : 0.5 * (own_.position.x + radius);
-            velocity.y *= mean;
-        }
+        if constexpr (rings) velocity.y *= mean_radius(own_.position.x, other.position.x);
         const Lane values[2][8] = {
             {velocity.x * slope.x, velocity.x * slope.y, velocity.x * slope.z, velocity.y * slope.x,
              velocity.y * slope.y, velocity.y * slope.z, velocity.z * slope.x, velocity.z * slope.y},

@@ -89,6 +89,7 @@ TEST(BoxCrush, TubeOf1280ShellsFoldsAsThePeersDo)
     EXPECT_NEAR(found.absorbed / soft.absorbed, 1, 0.15);
     EXPECT_NEAR(found.absorbed / stiff.absorbed, 1, 0.15);
     EXPECT_NEAR(found.force / stiff.force, 1, 0.15);
+    EXPECT_LT(found.sliding, 0.05); // 0.032 to 0.039; DISABLED_SlidingEnergyIsSmall has what is wanted
 }
 
 /// The peer's Belytschko-Tsay quad has hourglass coefficients of 0.01 and does not read those of the deck

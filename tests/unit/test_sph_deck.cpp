@@ -2,14 +2,13 @@
 #include "solver/scene.h"
 #include "sph/particle_bodies.h"
 #include "tests/support/particle_setup.h"
+#include "tests/support/read_text.h"
 #include "tests/support/records.h"
-#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 
 namespace plash {
 
@@ -29,27 +28,6 @@ std::string plate_deck(const std::string& section, const std::string& extra, int
     return deck + nodes + elements + "*END\n";
 }
 
-Model read(const std::string& deck)
-{
-    const testing::TemporaryFolder folder;
-    std::ofstream(folder / "deck.k") << deck;
-    ReadResult result = read_model(folder / "deck.k");
-    EXPECT_TRUE(result.ok);
-    return std::move(result.model);
-}
-
-/// The message of the DeckError that the deck gives.
-std::string complaint(const std::string& deck)
-{
-    const Model model = read(deck);
-    try {
-        make_scene(model);
-    } catch (const DeckError& error) {
-        return error.what();
-    }
-    return "no complaint";
-}
-
 const ParticleBody& body_of(const Scene& scene)
 {
     return dynamic_cast<const ParticleBody&>(*scene.terms.at(0));
@@ -59,7 +37,7 @@ const ParticleBody& body_of(const Scene& scene)
 
 TEST(SphDeck, TakesSpacingMassesAndDefaults)
 {
-    const Model model = read(plate_deck("7", ""));
+    const Model model = testing::model_of_text(plate_deck("7", ""));
     const Scene scene = make_scene(model);
     const ParticleBody& body = body_of(scene);
     EXPECT_EQ(body.items(), 12u);
@@ -72,12 +50,12 @@ TEST(SphDeck, TakesSpacingMassesAndDefaults)
 
 TEST(SphDeck, HonoursSmoothingLengthsAndKernels)
 {
-    const Model model = read(plate_deck("7,1.5,0.5,1,,,,1", ""));
+    const Model model = testing::model_of_text(plate_deck("7,1.5,0.5,1,,,,1", ""));
     const ParticleOptions options = particle_options_of(model);
     EXPECT_FALSE(options.renormalised);
     const Scene scene = make_scene(model);
     EXPECT_DOUBLE_EQ(body_of(scene).arrays().motion[0].smoothing, 15);
-    const Model given = read(plate_deck("7,,,,8.5", ""));
+    const Model given = testing::model_of_text(plate_deck("7,,,,8.5", ""));
     EXPECT_DOUBLE_EQ(body_of(make_scene(given)).arrays().motion[0].smoothing, 8.5);
 }
 
@@ -87,17 +65,18 @@ TEST(SphDeck, GradedParticlesHaveSmoothingLengthsByTheirMasses)
     const std::size_t mass = deck.find("103,1,1e-6");
     ASSERT_NE(mass, std::string::npos);
     deck.replace(mass, 10, "103,1,8e-6"); // twice as wide as the others
-    const Scene scene = make_scene(read(deck));
+    const Scene scene = make_scene(testing::model_of_text(deck));
     const ParticleArrays& a = body_of(scene).arrays();
     for (Index p = 0; p < a.real_count(); ++p) {
         EXPECT_NEAR(a.motion[p].smoothing, a.mass(p) > 2e-6 ? 24 : 12, 1e-12); // CSLH 1.2
     }
-    EXPECT_NE(complaint(plate_deck("7", "*PLASH_SPH_FORMULATION\n0\n2\n")).find("GRADED"), std::string::npos);
+    EXPECT_NE(testing::complaint_about(plate_deck("7", "*PLASH_SPH_FORMULATION\n0\n2\n")).find("GRADED"),
+              std::string::npos);
 }
 
 TEST(SphDeck, MassesOfRingsAreThoseOfTheirAreasTimesTheirRadii)
 {
-    const Scene scene = make_scene(read(plate_deck("7", "*CONTROL_SPH\n1,,,-2\n", 5)));
+    const Scene scene = make_scene(testing::model_of_text(plate_deck("7", "*CONTROL_SPH\n1,,,-2\n", 5)));
     for (int i = 0; i < 12; ++i) EXPECT_DOUBLE_EQ(scene.state.mass[i], 1e-6 * (5 + 10 * (i % 4))) << i;
     const ParticleArrays& a = body_of(scene).arrays();
     for (Index p = 0; p < a.real_count(); ++p) EXPECT_NEAR(a.motion[p].weight, 1000, 1e-9); // their areas
@@ -110,7 +89,7 @@ TEST(SphDeck, ViscosityOfAnElasticFluidGoesWithTheParticles)
     ASSERT_NE(fluid, std::string::npos);
     deck.replace(fluid, 25, "*MAT_ELASTIC_FLUID\n3,1e-9,,,,,2000\n0.1,1\n");
     deck.replace(deck.find("1,7,3,4"), 7, "1,7,3");
-    const Scene scene = make_scene(read(deck));
+    const Scene scene = make_scene(testing::model_of_text(deck));
     const ParticleArrays& a = body_of(scene).arrays();
     // (dimension + 2) mu / rho^2, mu = VC L sqrt(K rho) / 2; particles of 1000 volume units
     const double viscosity = 0.5 * 0.1 * 10 * std::sqrt(2000 * 1e-9);
@@ -120,7 +99,7 @@ TEST(SphDeck, ViscosityOfAnElasticFluidGoesWithTheParticles)
 TEST(SphDeck, MapsFormsAndBoundaries)
 {
     const auto options = [](const std::string& extra) {
-        return particle_options_of(read(plate_deck("7", extra)));
+        return particle_options_of(testing::model_of_text(plate_deck("7", extra)));
     };
     EXPECT_FALSE(options("").volume_weighted);
     EXPECT_TRUE(options("*CONTROL_SPH\n1,,,2,,1\n").renormalised);
@@ -147,7 +126,7 @@ TEST(SphDeck, MapsFormsAndBoundaries)
 TEST(SphDeck, TakesOpenBoundaries)
 {
     const auto options = [](const std::string& extra) {
-        return particle_options_of(read(plate_deck("7", extra)));
+        return particle_options_of(testing::model_of_text(plate_deck("7", extra)));
     };
     const auto planes = options("*BOUNDARY_SPH_NON_REFLECTING\n0,-5,0,0,3,0\n35,0,0,0,0,0\n").mirrors;
     ASSERT_EQ(planes.size(), 2u);
@@ -167,7 +146,9 @@ TEST(SphDeck, TakesOpenBoundaries)
     EXPECT_EQ(flows[1].motion.nodes.size(), 12u);
     EXPECT_TRUE(flows[1].motion.kind == PrescribedMotion::Kind::displacement);
     EXPECT_EQ(norm(flows[1].motion.direction - Vec3{1, 0, 0}), 0);
-    const auto wrong = [&](const std::string& cards) { return complaint(plate_deck("7", around + cards)); };
+    const auto wrong = [&](const std::string& cards) {
+        return testing::complaint_about(plate_deck("7", around + cards));
+    };
     EXPECT_NE(wrong("8,3,5,0,9\n105,6\n").find("DOF"), std::string::npos);
     EXPECT_NE(wrong("8,4,1,0,9\n105,6\n").find("STYP"), std::string::npos);
     EXPECT_NE(wrong("8,3,1,3,9\n105,6\n").find("VAD"), std::string::npos);
@@ -177,7 +158,7 @@ TEST(SphDeck, TakesOpenBoundaries)
 TEST(SphDeck, TakesPlashsOwnFormulation)
 {
     const auto options = [](const std::string& extra) {
-        return particle_options_of(read(plate_deck("7", extra)));
+        return particle_options_of(testing::model_of_text(plate_deck("7", extra)));
     };
     const ParticleOptions plain = options("");
     EXPECT_EQ(plain.density_diffusion, 0);
@@ -192,54 +173,55 @@ TEST(SphDeck, TakesPlashsOwnFormulation)
     EXPECT_EQ(own.skin, 0.15);
     EXPECT_TRUE(own.laminar_by_velocity);
     EXPECT_FALSE(plain.laminar_by_velocity);
-    EXPECT_EQ(complaint(plate_deck("7", "*PLASH_SPH_FORMULATION\n0,,,,,,,2\n")),
+    EXPECT_EQ(testing::complaint_about(plate_deck("7", "*PLASH_SPH_FORMULATION\n0,,,,,,,2\n")),
               "*PLASH_SPH_FORMULATION, field VISC: there is no form 2 of laminar viscosity; there are 0 "
               "(Monaghan & Cleary) and 1 (Morris et al.)");
-    EXPECT_EQ(complaint(plate_deck("7", "*PLASH_SPH_FORMULATION\n3\n")),
+    EXPECT_EQ(testing::complaint_about(plate_deck("7", "*PLASH_SPH_FORMULATION\n3\n")),
               "*PLASH_SPH_FORMULATION, field KERNEL: there is no kernel 3; there are 0 (that of the "
               "sections), 4 (Wendland C2) and 5 (Wendland C4)");
-    EXPECT_EQ(complaint(plate_deck("7", "*PLASH_SPH_FORMULATION\n0,-1\n")),
+    EXPECT_EQ(testing::complaint_about(plate_deck("7", "*PLASH_SPH_FORMULATION\n0,-1\n")),
               "*PLASH_SPH_FORMULATION, field DELTA: -1 is not between 0 and 1");
 }
 
 TEST(SphDeck, KnowsWhenParticlesLeave)
 {
-    const ParticleOptions options = particle_options_of(
-        read(plate_deck("7", "*DEFINE_BOX\n5,-1,31,-1,21,-1,1\n*CONTROL_SPH\n1,5,,,,,,2e6\n")));
+    const ParticleOptions options = particle_options_of(testing::model_of_text(
+        plate_deck("7", "*DEFINE_BOX\n5,-1,31,-1,21,-1,1\n*CONTROL_SPH\n1,5,,,,,,2e6\n")));
     ASSERT_TRUE(options.box.has_value());
     EXPECT_EQ(options.box->high.x, 31);
     EXPECT_EQ(options.largest_speed, 2e6);
-    EXPECT_EQ(particle_options_of(read(plate_deck("7", ""))).largest_speed, forever);
+    EXPECT_EQ(particle_options_of(testing::model_of_text(plate_deck("7", ""))).largest_speed, forever);
 }
 
 TEST(SphDeck, PartsComeAndGoWithTheirSection)
 {
     const auto neighbours = [](const std::string& section) {
-        const Model model = read(plate_deck(section, ""));
+        const Model model = testing::model_of_text(plate_deck(section, ""));
         return body_of(make_scene(model)).mean_neighbours();
     };
     EXPECT_GT(neighbours("7,,,,,1e20"), 1) << "the default, written out";
     EXPECT_EQ(neighbours("7,,,,,,1e-3"), 0) << "not born yet";
-    EXPECT_EQ(complaint(plate_deck("7,,,,,1e-3,2e-3", "")),
+    EXPECT_EQ(testing::complaint_about(plate_deck("7,,,,,1e-3,2e-3", "")),
               "*SECTION_SPH, field DEATH: 0.001 is before START, 0.002");
 }
 
 TEST(SphDeck, SaysWhatIsWrong)
 {
-    EXPECT_EQ(complaint(plate_deck("7", "*CONTROL_SPH\n1,,,2,,7\n")),
+    EXPECT_EQ(testing::complaint_about(plate_deck("7", "*CONTROL_SPH\n1,,,2,,7\n")),
               "*CONTROL_SPH, field FORM: form 7 is not supported; there are 0 to 6, 12, 15 and 16");
     EXPECT_EQ(
-        complaint(plate_deck("7", "*CONTROL_SPH\n1,,,1\n")),
+        testing::complaint_about(plate_deck("7", "*CONTROL_SPH\n1,,,1\n")),
         "*CONTROL_SPH, field IDIM: 1 is not supported; there are 2 (plane strain), 3 and -2 (axisymmetric)");
-    EXPECT_EQ(complaint(plate_deck("7", "*CONTROL_SPH\n1,,,-2\n")),
+    EXPECT_EQ(testing::complaint_about(plate_deck("7", "*CONTROL_SPH\n1,,,-2\n")),
               "*CONTROL_SPH, field IDIM: -2 asks for particles at x > 0, for they are rings around the y "
               "axis, but particle 101 has x = 0");
-    EXPECT_EQ(complaint(plate_deck("7", "*CONTROL_SPH\n1,,,-2\n*PLASH_SPH_FORMULATION\n,,0.5\n", 5)),
-              "XSPH, SHIFT, TENSILE, GRADED and VISC of *PLASH_SPH_FORMULATION do not work with axisymmetric "
-              "particles (*CONTROL_SPH IDIM = -2)");
-    EXPECT_EQ(complaint(plate_deck("7,1.2,3,2", "")),
+    EXPECT_EQ(
+        testing::complaint_about(plate_deck("7", "*CONTROL_SPH\n1,,,-2\n*PLASH_SPH_FORMULATION\n,,0.5\n", 5)),
+        "XSPH, SHIFT, TENSILE, GRADED and VISC of *PLASH_SPH_FORMULATION do not work with axisymmetric "
+        "particles (*CONTROL_SPH IDIM = -2)");
+    EXPECT_EQ(testing::complaint_about(plate_deck("7,1.2,3,2", "")),
               "*SECTION_SPH, field HMIN: the smallest smoothing length is above the largest one, HMAX");
-    EXPECT_EQ(complaint(plate_deck("7,,,,,,,5", "")),
+    EXPECT_EQ(testing::complaint_about(plate_deck("7,,,,,,,5", "")),
               "*SECTION_SPH, field SPHKERN: there is no kernel 5; there are 0 to 3");
 }
 

@@ -66,7 +66,9 @@ TEST(StepControl, StaysWhereItIsUnderElasticSwings)
         lowest = std::min(lowest, voter.step);
         control.choose(clock, terms);
         ++clock.cycle;
-        if (i > 20) ASSERT_EQ(clock.step, model.controls.time.step_scale * lowest);
+        if (i > 20) {
+            ASSERT_EQ(clock.step, model.controls.time.step_scale * lowest);
+        }
     }
 }
 

@@ -105,8 +105,8 @@ TEST(Beams, FirstFrequencyIsThatOfEulerAndBernoulli)
     }
 }
 
-/// A disc of *ELEMENT_INERTIA at the end of a bar: torsion pendulum, T = 2 pi sqrt(I L / (G J)). The bar's own
-/// rotary inertia at its end is nothing beside the disc's.
+/// A disc of *ELEMENT_INERTIA at the end of a bar: torsion pendulum, T = 2 pi sqrt(I L / (G J)). The bar's
+/// own rotary inertia at its end is nothing beside the disc's.
 TEST(Beams, SwingADiscInTorsion)
 {
     constexpr double length = 100, torsion = 50, inertia = 1e8, shear_modulus = young_modulus / 2.6;

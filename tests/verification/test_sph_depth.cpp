@@ -3,11 +3,10 @@
 #include "solver/scene.h"
 #include "sph/particle_body.h"
 #include "tests/support/particle_setup.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/read_text.h"
 
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 #include <gtest/gtest.h>
 
 /// *INITIAL_STRESS_DEPTH: water and soil that carry their own weight from the first step on.
@@ -39,31 +38,11 @@ std::string basin(const std::string& start)
     return deck + start + nodes + elements + "*END\n";
 }
 
-Model read(const std::string& deck)
-{
-    const testing::TemporaryFolder folder;
-    std::ofstream(folder / "deck.k") << deck;
-    ReadResult result = read_model(folder / "deck.k");
-    EXPECT_TRUE(result.ok);
-    return std::move(result.model);
-}
-
-std::string complaint(const std::string& start)
-{
-    const Model model = read(basin(start));
-    try {
-        make_scene(model);
-    } catch (const DeckError& error) {
-        return error.what();
-    }
-    return "no complaint";
-}
-
 /// Largest vertical velocity of the mean of all particles over a run: that of the basin as a whole
 /// [length/time].
 double swing(const std::string& start)
 {
-    const Model model = read(basin(start));
+    const Model model = testing::model_of_text(basin(start));
     Scene scene = make_scene(model);
     double largest = 0;
     add_particle_probe(scene, [&](const Clock&, const State& state) {
@@ -84,7 +63,7 @@ const std::string weight = fmt::format("*INITIAL_STRESS_DEPTH\n1,{},{},1\n", den
 
 TEST(SphDepth, PressureIsThatOfTheWaterAbove)
 {
-    const Model model = read(basin(weight));
+    const Model model = testing::model_of_text(basin(weight));
     const Scene scene = make_scene(model);
     const ParticleArrays& a = dynamic_cast<const ParticleBody&>(*scene.terms.at(0)).arrays();
     for (Index p = 0; p < a.real_count(); ++p) {
@@ -108,10 +87,10 @@ TEST(SphDepth, WaterStartsAtRest)
 
 TEST(SphDepth, SaysWhatItCannotGive)
 {
-    EXPECT_EQ(complaint("*INITIAL_STRESS_DEPTH\n1,9810,1,0.5\n"),
+    EXPECT_EQ(testing::complaint_about(basin("*INITIAL_STRESS_DEPTH\n1,9810,1,0.5\n")),
               "*INITIAL_STRESS_DEPTH: the particles of part 1 must be a fluid, and KFACT must be 1, as "
               "pressure acts alike");
-    EXPECT_EQ(complaint("*PART\nempty\n2,1,1,1\n*INITIAL_STRESS_DEPTH\n2,9810,1,1\n"),
+    EXPECT_EQ(testing::complaint_about(basin("*PART\nempty\n2,1,1,1\n*INITIAL_STRESS_DEPTH\n2,9810,1,1\n")),
               "*INITIAL_STRESS_DEPTH: part 2 has neither Lagrangian solids nor particles");
 }
 
