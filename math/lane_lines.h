@@ -20,6 +20,11 @@ inline Lanes line_at(const double* aligned)
     return line;
 }
 
+inline void set_line(double* aligned, const Lanes& line)
+{
+    std::memcpy(__builtin_assume_aligned(aligned, sizeof line), &line, sizeof line);
+}
+
 inline HalfLine half_line_at(const double* aligned)
 {
     HalfLine line;
@@ -101,8 +106,7 @@ inline void add_to_lines(double* records, const Place* place, const Lanes (&valu
     lane_lines_detail::transpose(row);
     for (int l = 0; l < 8; ++l) {
         double* line = records + std::size_t(place[l]) * 8;
-        const Lanes sum = lane_lines_detail::line_at(line) + row[l];
-        std::memcpy(__builtin_assume_aligned(line, sizeof sum), &sum, sizeof sum);
+        lane_lines_detail::set_line(line, lane_lines_detail::line_at(line) + row[l]);
     }
 }
 
@@ -110,6 +114,25 @@ template <class Place>
 inline void add_to_lines(double* records, const Place* place, const double (&value)[8])
 {
     for (int k = 0; k < 8; ++k) records[std::size_t(*place) * 8 + k] += value[k];
+}
+
+/// records[place[l] * 8 + k] -= lane l of value[k], likewise.
+template <class Place>
+inline void subtract_from_lines(double* records, const Place* place, const Lanes (&value)[8])
+{
+    Lanes row[8];
+    for (int k = 0; k < 8; ++k) row[k] = value[k];
+    lane_lines_detail::transpose(row);
+    for (int l = 0; l < 8; ++l) {
+        double* line = records + std::size_t(place[l]) * 8;
+        lane_lines_detail::set_line(line, lane_lines_detail::line_at(line) - row[l]);
+    }
+}
+
+template <class Place>
+inline void subtract_from_lines(double* records, const Place* place, const double (&value)[8])
+{
+    for (int k = 0; k < 8; ++k) records[std::size_t(*place) * 8 + k] -= value[k];
 }
 
 /// values[place[l]] += lane l, lane after lane.
@@ -138,15 +161,22 @@ inline double sum_of_lanes(double a)
     return a;
 }
 
-/// line[k] += sum over the lanes of value[k], in a fixed order.
+/// line[k] += sum over the lanes of value[k], in the order of sum_of_lanes: halves are added while columns
+/// become rows.
 inline void add_sums_to_line(double* line, const Lanes (&value)[8])
 {
-    Lanes row[8];
-    for (int k = 0; k < 8; ++k) row[k] = value[k];
-    lane_lines_detail::transpose(row);
-    const Lanes sum = lane_lines_detail::line_at(line) +
-                      (((row[0] + row[4]) + (row[2] + row[6])) + ((row[1] + row[5]) + (row[3] + row[7])));
-    std::memcpy(__builtin_assume_aligned(line, sizeof sum), &sum, sizeof sum);
+    Lanes half[4], quarter[2];
+    for (int k = 0; k < 4; ++k) {
+        half[k] = __builtin_shufflevector(value[k], value[k + 4], 0, 1, 2, 3, 8, 9, 10, 11) +
+                  __builtin_shufflevector(value[k], value[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 2; ++k) {
+        quarter[k] = __builtin_shufflevector(half[k], half[k + 2], 0, 1, 8, 9, 4, 5, 12, 13) +
+                     __builtin_shufflevector(half[k], half[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    const Lanes sum = __builtin_shufflevector(quarter[0], quarter[1], 0, 8, 2, 10, 4, 12, 6, 14) +
+                      __builtin_shufflevector(quarter[0], quarter[1], 1, 9, 3, 11, 5, 13, 7, 15);
+    lane_lines_detail::set_line(line, lane_lines_detail::line_at(line) + sum);
 }
 
 inline void add_sums_to_line(double* line, const double (&value)[8])

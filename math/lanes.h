@@ -79,9 +79,15 @@ inline double min(double a, double b)
     return a < b ? a : b;
 }
 
+/// As `a < b ? a : b`, which compilers make two instructions of; likewise max.
 inline Lanes min(Lanes a, Lanes b)
 {
+#if defined(__AVX512F__)
+    return reinterpret_cast<Lanes>(
+        _mm512_maskz_min_pd(0xff, reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b)));
+#else
     return a < b ? a : b;
+#endif
 }
 
 inline double max(double a, double b)
@@ -91,7 +97,12 @@ inline double max(double a, double b)
 
 inline Lanes max(Lanes a, Lanes b)
 {
+#if defined(__AVX512F__)
+    return reinterpret_cast<Lanes>(
+        _mm512_maskz_max_pd(0xff, reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b)));
+#else
     return a > b ? a : b;
+#endif
 }
 
 inline bool any(bool mask)

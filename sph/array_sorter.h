@@ -35,7 +35,7 @@ public:
         const std::size_t size = (count + images) * width;
         if (values.capacity() < size) {
             release(values);
-            values.reserve(size + (images > 0 ? size / 32 : 0)); // images come and go
+            values.reserve(size + images / 16); // images come and go
         }
         values.resize(size);
         for_chunks(count, [&](std::size_t begin, std::size_t end) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/release.h"
 #include "math/vector3.h"
 #include "model/record.h"
 
@@ -25,6 +26,7 @@ public:
 
     /// Sorted place -> given particle or copy. Copies stand behind all particles.
     const std::vector<Index>& order() const { return order_; }
+    void release_order() { release(order_); } ///< when all are in their places
     Index cell_count() const { return static_cast<Index>(key_.size()); }
     Index begin(Index cell) const { return first_[cell]; } ///< sorted places begin(cell) .. end(cell) - 1
     Index end(Index cell) const { return first_[cell + 1]; }

@@ -31,6 +31,8 @@ struct DensityDiffusion {
 template <class Lane, class Kernel, bool diffusive = false, bool rings = false>
 class DensityRate {
 public:
+    static constexpr bool takes_two = !diffusive && !rings;
+
     /// records    of all particles; the run begins at `first`
     /// rate       by particle of the run, zeroed; in and out
     /// spread     rate of density by diffusion [mass/volume/time], likewise; only used if diffusive
@@ -60,18 +62,20 @@ public:
             spread_sum_ = Lane{};
         }
     }
+    template <class Wide = Lane>
     void inside(const std::uint16_t* places)
     {
-        const auto other = Moving<Lane>::load(run_, places);
-        Vector3<Lane> apart;
-        Lane slope;
-        const auto [approach, to_other] = approach_to(other, apart, slope);
-        sum_ += other.weight * approach;
-        add_to_places(rate_, places, own_.weight * to_other);
+        const auto own = own_.template in<Wide>();
+        const auto other = Moving<Wide>::load(run_, places);
+        Vector3<Wide> apart;
+        Wide slope;
+        const auto [approach, to_other] = approach_to(own, other, apart, slope);
+        sum_ += in_one_batch(other.weight * approach);
+        add_to_places(rate_, places, own.weight * to_other);
         if constexpr (rings) {
             const Lane share = 0.5 * slope * dot(apart, apart);
             moment_sum_ += other.weight * share;
-            add_to_places(moment_, places, own_.weight * share);
+            add_to_places(moment_, places, own.weight * share);
         }
         if constexpr (diffusive) {
             Lane volume;
@@ -85,7 +89,7 @@ public:
         const auto other = Moving<Lane>::load(records_, places);
         Vector3<Lane> apart;
         Lane slope;
-        sum_ += other.weight * approach_to(other, apart, slope)[0];
+        sum_ += in_one_batch(other.weight * approach_to(own_, other, apart, slope)[0]);
         if constexpr (rings) moment_sum_ += other.weight * (0.5 * slope * dot(apart, apart));
         if constexpr (diffusive) {
             Lane volume;
@@ -128,21 +132,23 @@ private:
 
     /// (v_i - v_j) . grad W, with grad W = -slope * apart, as the particle and the other one see it: the
     /// same, but in rings, each of which weighs motion along the axis by the mean radius over its own.
-    std::array<Lane, 2> approach_to(const Moving<Lane>& other, Vector3<Lane>& apart, Lane& slope) const
+    template <class Wide>
+    std::array<Wide, 2> approach_to(const Moving<Wide>& own, const Moving<Wide>& other, Vector3<Wide>& apart,
+                                    Wide& slope) const
     {
-        const Vector3<Lane> velocity = own_.velocity - other.velocity;
-        apart = own_.position - other.position - broadcast<Lane>(half_step_) * velocity;
-        const Lane square = dot(apart, apart) + tiny_square;
-        const Lane inverse_smoothing = reciprocal(0.5 * (own_.smoothing + other.smoothing));
+        const Vector3<Wide> velocity = own.velocity - other.velocity;
+        apart = own.position - other.position - broadcast<Wide>(half_step_) * velocity;
+        const Wide square = dot(apart, apart) + tiny_square;
+        const Wide inverse_smoothing = reciprocal(0.5 * (own.smoothing + other.smoothing));
         slope = steepness_(square, reciprocal_root(square), inverse_smoothing);
         if constexpr (!rings) {
-            const Lane approach = -dot(apart, velocity) * slope;
+            const Wide approach = -dot(apart, velocity) * slope;
             return {approach, approach};
         } else {
-            const Lane radius = other.position.x;
-            const Lane across = -(apart.x * velocity.x) * slope;
-            const Lane along = -(apart.y * velocity.y) * slope * mean_radius(own_.position.x, radius);
-            return {across + along / ring_radius(own_.position.x, own_.smoothing),
+            const Wide radius = other.position.x;
+            const Wide across = -(apart.x * velocity.x) * slope;
+            const Wide along = -(apart.y * velocity.y) * slope * mean_radius(own.position.x, radius);
+            return {across + along / ring_radius(own.position.x, own.smoothing),
                     across + along / ring_radius(radius, other.smoothing)};
         }
     }

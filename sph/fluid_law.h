@@ -49,7 +49,8 @@ private:
         const auto from = [&](const auto& array) {
             return gather(places, [&](Index p) { return array[p]; });
         };
-        const Lanes rate = from(arrays.rate), before = from(arrays.density);
+        const Lanes rate = from(arrays.rate),
+                    before = gather(places, [&](Index p) { return arrays.density(p); });
         const Lanes flowed = advanced_density(part.volume_weighted, before, step * rate);
         // Diffusion changes density without work: pressure does its own on what flow compresses.
         const Lanes volume_change = part.density * (1.0 / flowed - 1.0 / before);
@@ -62,7 +63,8 @@ private:
         const Lanes bulk_work = -0.5 * (exchange_bulk(places, bulk, arrays) + bulk) * volume_change;
         const PressureStep<Lanes> end =
             advance_pressure(eos_.evaluate(compression), from(arrays.energy), bulk_work,
-                             from(arrays.pressure), volume_change, fluid_.lowest_pressure);
+                             gather(places, [&](Index p) { return arrays.pressure(p); }), volume_change,
+                             fluid_.lowest_pressure);
         const Lanes stiffness = eos_.evaluate(compression).stiffness(compression, end.pressure, end.energy);
         const Lanes floor = broadcast<Lanes>(1e-6 * eos_.bulk_modulus);
         const Lanes sound = sqrt(max(stiffness, floor) * (1 / part.density));
@@ -72,10 +74,9 @@ private:
         ParticleVote vote;
         for (std::size_t l = 0; l < places.size(); ++l) {
             const Index p = places[l];
-            arrays.density[p] = density[l];
             arrays.energy[p] = end.energy[l];
-            arrays.pressure[p] = end.pressure[l];
-            set_records(part, p, h[l], sound[l], arrays);
+            set_records(part, p, density[l], h[l], sound[l], arrays);
+            arrays.set_pressure(p, end.pressure[l]);
             const double normal = -end.pressure[l] - bulk[l];
             set_push(part, p, {normal, normal, normal, 0, 0, 0}, arrays);
             vote.take({stable[l], p});

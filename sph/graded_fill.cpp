@@ -68,8 +68,11 @@ public:
         images_.settle(cells.order(), arrays_);
         images_.refresh_motion(arrays_);
         const std::vector<std::uint8_t> asleep(count(), 0);
-        const std::vector<float> skin(motion.size(), 0);
-        build_neighbours(cells, {motion, skin, support + margin, asleep, {}, {}}, runs_);
+        std::vector<float> reaches;
+        for (const MotionRecord& record : motion) {
+            reaches.push_back(static_cast<float>(0.5 * (support + margin) * record.smoothing));
+        }
+        build_neighbours(cells, {motion, reaches, asleep, {}, {}}, runs_);
     }
 
     /// pair(a, b) for every particle a and every neighbour b of it.

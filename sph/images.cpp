@@ -34,7 +34,7 @@ Vec3 slope_along(const Vec3& outward, const Matrix3& turn, Index source, const P
 {
     if (arrays.gradient.empty()) {
         const double closing =
-            arrays.own_mass.empty() ? arrays.rate[source] / arrays.density[source] : arrays.rate[source];
+            arrays.own_mass.empty() ? arrays.rate[source] / arrays.density(source) : arrays.rate[source];
         return -closing * outward;
     }
     const Tensor3<double>& g = arrays.gradient[source];
@@ -184,10 +184,11 @@ void Images::settle(std::span<const Index> order, ParticleArrays& arrays)
     images_ = std::move(sorted);
 }
 
-void Images::copy_skins(ParticleArrays& arrays) const
+void Images::copy_reaches(ParticleArrays& arrays) const
 {
     const std::size_t first = arrays.real_count();
-    for (std::size_t k = 0; k < images_.size(); ++k) arrays.skin[first + k] = arrays.skin[images_[k].source];
+    for (std::size_t k = 0; k < images_.size(); ++k)
+        arrays.reach[first + k] = arrays.reach[images_[k].source];
 }
 
 void Images::refresh_motion(ParticleArrays& arrays) const

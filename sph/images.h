@@ -68,8 +68,8 @@ public:
     /// After sorting: puts the images into their order and gives them their kind and the part of their
     /// source. order  by sorted place: a particle, or behind all of them an image, by its number
     void settle(std::span<const Index> order, ParticleArrays& arrays);
-    /// Copies skins from sources to images.
-    void copy_skins(ParticleArrays& arrays) const;
+    /// Copies reaches from sources to images.
+    void copy_reaches(ParticleArrays& arrays) const;
     /// Copies motion from sources to images, as the continuity equation sees walls.
     void refresh_motion(ParticleArrays& arrays) const;
     /// Copies motion and push, as pressure and viscosity see walls.

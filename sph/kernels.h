@@ -9,7 +9,8 @@ namespace plash {
 
 /// Smoothing kernels W(r, h) = norm(d) / h^d * value(q) with q = r / h, zero from q = support on. `slope` is
 /// d value / d q. Both are inline templates over the lane type; positive parts make them exact piecewise
-/// polynomials without branches. `norm` takes the dimension, 2 or 3.
+/// polynomials without branches. `slope_by_q`, where it is there, is slope / q without a division. `norm`
+/// takes the dimension, 2 or 3.
 
 namespace kernel_detail {
 
@@ -136,10 +137,15 @@ struct WendlandC2 {
         return a * a * (2.0 * q + 1.0);
     }
     template <class Lane>
+    static Lane slope_by_q(Lane q)
+    {
+        const Lane two = kernel_detail::positive_part(2.0 - q);
+        return (-0.625 * two) * (two * two);
+    }
+    template <class Lane>
     static Lane slope(Lane q)
     {
-        const Lane a = kernel_detail::positive_part(1.0 - 0.5 * q);
-        return (-5.0 * q) * (a * a * a);
+        return q * slope_by_q(q);
     }
 };
 
@@ -159,11 +165,16 @@ struct WendlandC4 {
         return a3 * a3 * ((35.0 / 12.0) * q * q + 3.0 * q + 1.0);
     }
     template <class Lane>
-    static Lane slope(Lane q)
+    static Lane slope_by_q(Lane q)
     {
         const Lane a = kernel_detail::positive_part(1.0 - 0.5 * q);
         const Lane a2 = a * a;
-        return (-14.0 / 3.0) * q * (1.0 + 2.5 * q) * (a2 * a2 * a);
+        return ((-14.0 / 3.0) * (1.0 + 2.5 * q)) * (a2 * a2 * a);
+    }
+    template <class Lane>
+    static Lane slope(Lane q)
+    {
+        return q * slope_by_q(q);
     }
 };
 

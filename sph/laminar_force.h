@@ -16,40 +16,35 @@ public:
     /// sums       by particle of the run, zeroed; in and out
     LaminarForce(const MotionRecord* records, const double* viscosity, Index first, int dimension,
                  ForceSums* sums)
-        : records_(records), viscosity_(viscosity), first_(first), steepness_(dimension), sums_(sums)
+        : records_(records), viscosity_(viscosity), first_(first), steepness_(dimension), tally_(sums)
     {}
 
     void open(Index particle)
     {
         own_ = Moving<Lane>::same(records_[first_ + particle]);
         own_viscosity_ = broadcast<Lane>(viscosity_[first_ + particle]);
-        for (Lane& sum : sum_) sum = Lane{};
+        tally_.open();
     }
     void inside(const std::uint16_t* places)
     {
-        Lane to_other[8];
-        add_pairs(first_, places, to_other);
-        add_to_lines(&sums_->force.x, places, to_other);
+        const auto pair = effect(first_, places);
+        tally_.add(pair);
+        tally_.take_from(places, pair);
     }
-    void outside(const Index* places)
-    {
-        Lane to_other[8];
-        add_pairs(0, places, to_other);
-    }
-    void close(Index particle) { add_sums_to_line(&sums_[particle].force.x, sum_); }
+    void outside(const Index* places) { tally_.add(effect(0, places)); }
+    void close(Index particle) { tally_.close(particle); }
 
 private:
     const MotionRecord* records_;
     const double* viscosity_;
     Index first_;
     Steepness<Kernel> steepness_;
-    ForceSums* sums_;
+    ForceTally<Lane> tally_;
     Moving<Lane> own_;
     Lane own_viscosity_;
-    Lane sum_[8];
 
     template <class Place>
-    void add_pairs(Index first, const Place* places, Lane (&to_other)[8])
+    PairEffect<Lane> effect(Index first, const Place* places) const
     {
         const auto other = Moving<Lane>::load(records_ + first, places);
         Lane viscosity{};
@@ -57,16 +52,11 @@ private:
         const Vector3<Lane> apart = own_.position - other.position;
         const Lane square = dot(apart, apart) + tiny_square;
         const Lane inverse_smoothing = reciprocal(0.5 * (own_.smoothing + other.smoothing));
-        const Lane drag =
-            (own_viscosity_ + viscosity) * steepness_(square, reciprocal_root(square), inverse_smoothing);
+        const Lane drag = (own_.weight * other.weight) * (own_viscosity_ + viscosity) *
+                          steepness_(square, reciprocal_root(square), inverse_smoothing);
         const Vector3<Lane> velocity = own_.velocity - other.velocity;
         const Vector3<Lane> force = -drag * velocity;
-        const Lane heat = 0.5 * drag * dot(velocity, velocity);
-        const Lane values[8] = {force.x, force.y, force.z, Lane{}, force.x, force.y, force.z, heat};
-        for (int k = 0; k < 8; ++k) {
-            sum_[k] += other.weight * values[k];
-            to_other[k] = (k < 7 ? -own_.weight : own_.weight) * values[k];
-        }
+        return {force, force, -0.5 * drag * dot(velocity, velocity)};
     }
 };
 

@@ -73,7 +73,7 @@ inline Lanes bulk_viscosity(const PartConstants& part, std::span<const Index> pl
     const auto from = [&](const auto& value) { return gather(places, value); };
     const Lanes length = part.bulk_length * from([&](Index p) { return arrays.motion[p].smoothing; });
     const Lanes sound = from([&](Index p) { return arrays.push[p].sound; });
-    const Lanes density = from([&](Index p) { return arrays.density[p]; });
+    const Lanes density = from([&](Index p) { return arrays.density(p); });
     const Lanes rate = max(closing, Lanes{});
     return density * length * rate *
            (part.viscosity.quadratic * length * rate + part.viscosity.linear * sound);
@@ -88,18 +88,16 @@ inline Lanes exchange_bulk(std::span<const Index> places, Lanes now, ParticleArr
     return before;
 }
 
-/// What pair loops see of a particle besides its push, from its new density, smoothing length and sound
-/// speed.
-inline void set_records(const PartConstants& part, Index place, double smoothing, double sound,
-                        ParticleArrays& arrays)
+/// Density, and what pair loops see of a particle besides its push.
+inline void set_records(const PartConstants& part, Index place, double density, double smoothing,
+                        double sound, ParticleArrays& arrays)
 {
-    const double density = arrays.density[place];
     MotionRecord& motion = arrays.motion[place];
     motion.smoothing = smoothing;
     if (part.volume_weighted) motion.weight = arrays.own_mass[place] / density;
     if (are_rings(arrays)) motion.weight /= ring_radius(motion);
     PushRecord& push = arrays.push[place];
-    push.scale = part.volume_weighted ? density : 1 / density;
+    arrays.set_density(place, density);
     push.sound = sound;
     const double viscosity = part.laminar_viscosity * (part.volume_weighted ? 1 : push.scale * push.scale);
     push.viscosity = part.laminar_by_velocity ? 0 : (part.dimension + 2) * viscosity;

@@ -15,39 +15,42 @@ namespace {
 struct Candidates {
     std::vector<double> x, y, z, reach;
     std::vector<Index> place;
+    std::vector<Index> number; ///< in the halo of the run; none: not asked for yet
+    std::size_t count = 0;
 
-    std::size_t size() const { return place.size(); }
-    void clear()
+    void clear() { count = 0; }
+    /// Before some more are added.
+    void make_room(std::size_t more)
     {
-        for (auto* values : {&x, &y, &z, &reach}) values->clear();
-        place.clear();
+        const std::size_t room = count + more + lane_count;
+        if (room <= place.size()) return;
+        for (auto* values : {&x, &y, &z, &reach}) values->resize(2 * room);
+        place.resize(2 * room);
+        number.resize(2 * room);
     }
     void add(const SearchInput& input, Index p)
     {
-        x.push_back(input.motion[p].position.x);
-        y.push_back(input.motion[p].position.y);
-        z.push_back(input.motion[p].position.z);
-        reach.push_back(input.reach(p));
-        place.push_back(p);
+        x[count] = input.motion[p].position.x;
+        y[count] = input.motion[p].position.y;
+        z[count] = input.motion[p].position.z;
+        reach[count] = input.reach[p];
+        place[count] = p;
+        number[count++] = none;
     }
     void add(const Candidates& other, std::size_t i)
     {
-        x.push_back(other.x[i]);
-        y.push_back(other.y[i]);
-        z.push_back(other.z[i]);
-        reach.push_back(other.reach[i]);
-        place.push_back(other.place[i]);
-    }
-    void make_room()
-    {
-        const std::size_t room = size() + lane_count;
-        for (auto* values : {&x, &y, &z, &reach}) values->reserve(room);
-        place.reserve(room);
+        x[count] = other.x[i];
+        y[count] = other.y[i];
+        z[count] = other.z[i];
+        reach[count] = other.reach[i];
+        place[count] = other.place[i];
+        number[count++] = none;
     }
     /// First candidate whose place is not below p.
     std::size_t first_from(Index p) const
     {
-        return std::lower_bound(place.begin(), place.end(), p) - place.begin();
+        return std::lower_bound(place.begin(), place.begin() + static_cast<std::ptrdiff_t>(count), p) -
+               place.begin();
     }
 };
 
@@ -127,7 +130,7 @@ private:
 struct Scratch {
     Candidates awake, others;           ///< others: images, and who is asleep
     Candidates cell_awake, cell_others; ///< the same of a whole cell, where these are of a part of it
-    std::vector<Index> found;
+    std::vector<std::uint32_t> found;   ///< numbers of candidates
     std::vector<std::uint16_t> inside;
     std::vector<std::uint16_t> outside;
     HaloNumbers halo;
@@ -153,23 +156,24 @@ unsigned bits_of(LaneMask mask)
 #endif
 }
 
-/// Writes the places of the set lanes one after another and returns the new end.
-Index* append_set(unsigned bits, const Index* places, Index* end)
+/// Writes first + lane for the set lanes, one after another, and returns the new end.
+std::uint32_t* append_set(unsigned bits, std::uint32_t first, std::uint32_t* end)
 {
 #if defined(__AVX512VL__)
-    const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(places));
+    const __m256i all = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)),
+                                         _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
     const auto mask = static_cast<__mmask8>(bits);
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(end), _mm256_maskz_compress_epi32(mask, all));
     return end + std::popcount(bits);
 #else
-    for (; bits != 0; bits &= bits - 1) *end++ = places[std::countr_zero(bits)];
+    for (; bits != 0; bits &= bits - 1) *end++ = first + static_cast<std::uint32_t>(std::countr_zero(bits));
     return end;
 #endif
 }
 
-/// Appends to `found` the places of candidates first .. last - 1 that particle p reaches.
-Index* find_close(const Candidates& candidates, std::size_t first, std::size_t last, const Vec3& position,
-                  double reach, Index* found)
+/// Appends to `found` those of the candidates first .. last - 1 that particle p reaches.
+std::uint32_t* find_close(const Candidates& candidates, std::size_t first, std::size_t last,
+                          const Vec3& position, double reach, std::uint32_t* found)
 {
     for (std::size_t c = first; c < last; c += lane_count) {
         const Lanes x = load(&candidates.x[c]) - position.x;
@@ -178,7 +182,7 @@ Index* find_close(const Candidates& candidates, std::size_t first, std::size_t l
         const Lanes limit = load(&candidates.reach[c]) + reach;
         unsigned bits = bits_of(x * x + y * y + z * z < limit * limit);
         if (last - c < lane_count) bits &= (1u << (last - c)) - 1;
-        found = append_set(bits, &candidates.place[c], found);
+        found = append_set(bits, static_cast<std::uint32_t>(c), found);
     }
     return found;
 }
@@ -191,23 +195,25 @@ void take_near(const Candidates& all, const Vec3& lower, const Vec3& upper, doub
         return max(max(low - at, at - high), Lanes{});
     };
     near.clear();
-    for (std::size_t c = 0; c < all.size(); c += lane_count) {
+    near.make_room(all.count);
+    for (std::size_t c = 0; c < all.count; c += lane_count) {
         const Lanes x = beyond(&all.x[c], lower.x, upper.x), y = beyond(&all.y[c], lower.y, upper.y),
                     z = beyond(&all.z[c], lower.z, upper.z);
         const Lanes limit = load(&all.reach[c]) + reach;
         unsigned bits = bits_of(x * x + y * y + z * z < limit * limit);
-        if (all.size() - c < lane_count) bits &= (1u << (all.size() - c)) - 1;
+        if (all.count - c < lane_count) bits &= (1u << (all.count - c)) - 1;
         for (; bits != 0; bits &= bits - 1) near.add(all, c + std::countr_zero(bits));
     }
-    near.make_room();
 }
 
-/// Takes the neighbours that p's group does not see out of [begin, end); returns the new end.
-Index* drop_unseen(const SearchInput& input, Index p, Index* begin, Index* end)
+/// Takes the candidates that p's group does not see out of [begin, end); returns the new end.
+std::uint32_t* drop_unseen(const SearchInput& input, Index p, const Candidates& candidates,
+                           std::uint32_t* begin, std::uint32_t* end)
 {
     if (input.sees.empty()) return end;
     const std::uint64_t seen = input.sees[input.group[p]];
-    return std::remove_if(begin, end, [&](Index other) { return !(seen >> input.group[other] & 1); });
+    return std::remove_if(
+        begin, end, [&](std::uint32_t other) { return !(seen >> input.group[candidates.place[other]] & 1); });
 }
 
 class RunBuilder {
@@ -230,7 +236,7 @@ public:
             const Index last = std::min(run_.end, cells_.end(cell));
             if (first >= last) continue; // images alone
             collect_candidates(cell);
-            if (scratch_.awake.size() + scratch_.others.size() <= many_candidates) {
+            if (scratch_.awake.count + scratch_.others.count <= many_candidates) {
                 list_all(first, last);
                 continue;
             }
@@ -267,15 +273,18 @@ private:
         std::array<Index, 27> around;
         const int count = cells_.around(cell, around);
         for (int i = 0; i < count; ++i) {
-            for (Index p = cells_.begin(around[i]); p < cells_.end(around[i]); ++p) {
+            const Index cell_around = around[i];
+            const std::size_t particles = cells_.end(cell_around) - cells_.begin(cell_around);
+            scratch_.awake.make_room(particles);
+            scratch_.others.make_room(particles + cells_.first_copy(cell_around + 1) -
+                                      cells_.first_copy(cell_around));
+            for (Index p = cells_.begin(cell_around); p < cells_.end(cell_around); ++p) {
                 (input_.asleep[p] ? scratch_.others : scratch_.awake).add(input_, p);
             }
-            for (Index p = cells_.first_copy(around[i]); p < cells_.first_copy(around[i] + 1); ++p) {
+            for (Index p = cells_.first_copy(cell_around); p < cells_.first_copy(cell_around + 1); ++p) {
                 scratch_.others.add(input_, p);
             }
         }
-        scratch_.awake.make_room();
-        scratch_.others.make_room();
     }
 
     /// The candidates of a cell that particles begin .. end - 1 may reach.
@@ -287,7 +296,7 @@ private:
             const Vec3& x = input_.motion[p].position;
             lower = {std::min(lower.x, x.x), std::min(lower.y, x.y), std::min(lower.z, x.z)};
             upper = {std::max(upper.x, x.x), std::max(upper.y, x.y), std::max(upper.z, x.z)};
-            reach = std::max(reach, input_.reach(p));
+            reach = std::max<double>(reach, input_.reach[p]);
         }
         take_near(scratch_.cell_awake, lower, upper, reach, scratch_.awake);
         take_near(scratch_.cell_others, lower, upper, reach, scratch_.others);
@@ -298,7 +307,7 @@ private:
     {
         run_first_ = scratch_.awake.first_from(run_.begin);
         run_last_ = scratch_.awake.first_from(run_.end);
-        scratch_.found.resize(scratch_.awake.size() + scratch_.others.size() + 2 * lane_count);
+        scratch_.found.resize(std::max(scratch_.awake.count, scratch_.others.count) + 2 * lane_count);
         for (Index p = first; p < last; ++p) {
             if (!input_.asleep[p]) list(p);
         }
@@ -306,41 +315,61 @@ private:
 
     void list(Index p)
     {
-        const Candidates& awake = scratch_.awake;
+        Candidates& awake = scratch_.awake;
         const Vec3& position = input_.motion[p].position;
-        const double reach = input_.reach(p);
-        Index* const begin = scratch_.found.data();
+        const double reach = input_.reach[p];
+        std::uint32_t* const begin = scratch_.found.data();
         NeighbourRun::Batches& batches = run_.batches[p - run_.begin];
 
-        Index* end = find_close(awake, awake.first_from(p + 1), run_last_, position, reach, begin);
-        end = drop_unseen(input_, p, begin, end);
+        std::uint32_t* end = find_close(awake, awake.first_from(p + 1), run_last_, position, reach, begin);
+        end = drop_unseen(input_, p, awake, begin, end);
         batches.inside = list_inside(p - run_.begin, {begin, end});
 
+        const std::size_t start = scratch_.outside.size();
         end = find_close(awake, 0, run_first_, position, reach, begin);
-        end = find_close(awake, run_last_, awake.size(), position, reach, end);
-        end = find_close(scratch_.others, 0, scratch_.others.size(), position, reach, end);
-        end = drop_unseen(input_, p, begin, end);
-        batches.outside = batch_count(end - begin);
-        for (Index* other = begin; other < end; ++other) {
-            scratch_.outside.push_back(scratch_.halo.number_of(*other));
-        }
+        end = find_close(awake, run_last_, awake.count, position, reach, end);
+        list_outside(p, awake, begin, end);
+        end = find_close(scratch_.others, 0, scratch_.others.count, position, reach, begin);
+        list_outside(p, scratch_.others, begin, end);
+        batches.outside = batch_count(static_cast<std::ptrdiff_t>(scratch_.outside.size() - start));
         while (scratch_.outside.size() % lane_count != 0) {
             scratch_.outside.push_back(scratch_.halo.number_of(p));
         }
     }
 
-    /// Lists pairs with particles that come later in the run, and those that earlier ones have handed over.
-    /// What does not fill a batch is handed on: lists without filling save a sixteenth of all pairs.
-    std::uint16_t list_inside(Index own, std::span<const Index> later)
+    /// A candidate is looked up in the halo once, not with every particle that it is close to.
+    void list_outside(Index p, Candidates& candidates, std::uint32_t* begin, std::uint32_t* end)
     {
+        end = drop_unseen(input_, p, candidates, begin, end);
+        const std::size_t start = scratch_.outside.size();
+        scratch_.outside.resize(start + (end - begin));
+        std::uint16_t* listed = scratch_.outside.data() + start;
+        for (const std::uint32_t* other = begin; other < end; ++other) {
+            Index& number = candidates.number[*other];
+            if (number == none) number = scratch_.halo.number_of(candidates.place[*other]);
+            *listed++ = static_cast<std::uint16_t>(number);
+        }
+    }
+
+    /// Lists pairs with particles that come later in the run, and those that earlier ones have handed over.
+    /// What does not fill a pair of batches is handed on: lists without filling save an eighth of all pairs.
+    std::uint16_t list_inside(Index own, std::span<const std::uint32_t> later)
+    {
+        const Index* place = scratch_.awake.place.data();
         std::vector<std::uint16_t>& inside = scratch_.inside;
         const std::size_t start = inside.size();
         scratch_.handed_over.for_each(own, [&](Index from) { inside.push_back(from); });
-        const std::size_t all = inside.size() - start + later.size();
-        const std::size_t left_over = std::min(all % lane_count, later.size());
-        for (Index other : later.first(later.size() - left_over)) inside.push_back(other - run_.begin);
-        for (Index other : later.last(left_over)) scratch_.handed_over.add(other - run_.begin, own);
-        while (inside.size() % lane_count != 0) inside.push_back(own);
+        const std::size_t waiting = inside.size(), all = waiting - start + later.size();
+        const std::size_t left_over = std::min(all % pair_count, later.size());
+        inside.resize(waiting + later.size() - left_over);
+        std::uint16_t* listed = inside.data() + waiting;
+        for (std::uint32_t other : later.first(later.size() - left_over)) {
+            *listed++ = static_cast<std::uint16_t>(place[other] - run_.begin);
+        }
+        for (std::uint32_t other : later.last(left_over)) {
+            scratch_.handed_over.add(place[other] - run_.begin, own);
+        }
+        while (inside.size() % pair_count != 0) inside.push_back(own);
         return batch_count(static_cast<std::ptrdiff_t>(inside.size() - start));
     }
 

@@ -15,19 +15,21 @@ namespace plash {
 /// What the search needs to know of particles and their images, by sorted place: all particles first. Images
 /// are listed as neighbours, but have none of their own.
 struct SearchInput {
-    std::span<const MotionRecord> motion; ///< positions and smoothing lengths [length]
-    std::span<const float> skin;          ///< added to the radius of the kernel [length]
-    double support = 1;                   ///< radius of the kernel over smoothing length
+    std::span<const MotionRecord> motion; ///< positions [length]
+    /// Two particles are listed below the sum of theirs: half the radius of the kernel, and of a skin
+    /// [length].
+    std::span<const float> reach;
     std::span<const std::uint8_t> asleep; ///< of particles alone; 1: no neighbours of its own, as an image
 
     std::size_t real_count() const { return asleep.size(); }
-    /// Half of the distance below which equal particles are listed [length].
-    double reach(Index p) const { return 0.5 * (support * motion[p].smoothing + skin[p]); }
     /// Groups of particles and who sees whom: particles a and b are neighbours when bit group[b] of
     /// sees[group[a]] is set. Empty: all see all.
     std::span<const std::uint8_t> group;
     std::span<const std::uint64_t> sees;
 };
+
+/// Inside neighbours stand in pairs of batches, so that pair loops take two batches at once without asking.
+inline constexpr int pair_count = 2 * lane_count;
 
 /// Neighbours of a run of consecutive sorted particles [begin, end). A pair with both particles in the run
 /// and neither asleep stands once, with one of the two ("inside"): the pair loop adds to both

@@ -7,12 +7,55 @@ namespace plash {
 
 /// Sums of the force loop for one particle: one cache line.
 struct alignas(64) ForceSums {
-    Vec3 force;         ///< all pair forces, per weight of the particle
+    Vec3 force;         ///< all pair forces [force]
     double spare = 0;   ///< keeps the line full
     Vec3 viscous_force; ///< the share of viscosity in `force`
-    double heat = 0;    ///< power of viscosity that heats the particle, per weight
+    double heat = 0;    ///< power of viscosity that heats the particle [energy/time]
 };
 static_assert(sizeof(ForceSums) == 64);
+
+/// What pairs do to the opened particle.
+template <class Lane>
+struct PairEffect {
+    Vector3<Lane> force, viscous_force;
+    Lane loss; ///< power that their motion loses to the heat of each of the two
+};
+
+/// Adds up what pairs do: to the opened particle in lanes, to the others in their lines. A force on the one
+/// is taken from the other as it is, so momentum is kept to round-off.
+template <class Lane>
+class ForceTally {
+public:
+    explicit ForceTally(ForceSums* sums) : sums_(sums) {}
+
+    void open()
+    {
+        for (Lane& sum : sum_) sum = Lane{};
+    }
+    template <class Wide>
+    void add(const PairEffect<Wide>& pair)
+    {
+        sum_[0] += in_one_batch(pair.force.x);
+        sum_[1] += in_one_batch(pair.force.y);
+        sum_[2] += in_one_batch(pair.force.z);
+        sum_[4] += in_one_batch(pair.viscous_force.x);
+        sum_[5] += in_one_batch(pair.viscous_force.y);
+        sum_[6] += in_one_batch(pair.viscous_force.z);
+        sum_[7] -= in_one_batch(pair.loss);
+    }
+    template <class Wide>
+    void take_from(const std::uint16_t* places, const PairEffect<Wide>& pair)
+    {
+        const Wide values[8] = {pair.force.x,         pair.force.y,         pair.force.z,         Wide{},
+                                pair.viscous_force.x, pair.viscous_force.y, pair.viscous_force.z, pair.loss};
+        subtract_from_lines(&sums_->force.x, places, values);
+    }
+    void close(Index particle) { add_sums_to_line(&sums_[particle].force.x, sum_); }
+
+private:
+    ForceSums* sums_;
+    Lane sum_[8];
+};
 
 /// Coefficients of Monaghan & Gingold's viscosity (1983): quadratic Q1 and linear Q2.
 struct ArtificialViscosity {
@@ -41,6 +84,8 @@ struct PairRecords {
 template <class Lane, class Kernel, bool tensor, bool rings = false>
 class PairForce {
 public:
+    static constexpr bool takes_two = !rings;
+
     /// records  of all particles; the run begins at `first`
     /// sums     by particle of the run, zeroed; in and out
     PairForce(const PairRecords& records, Index first, int dimension, const ArtificialViscosity& viscosity,
@@ -49,7 +94,7 @@ public:
           run_(records.from(first)),
           steepness_(dimension),
           viscosity_(viscosity),
-          sums_(sums)
+          tally_(sums)
     {}
 
     void open(Index particle)
@@ -63,91 +108,86 @@ public:
         if constexpr (tensor) {
             for (int k = 0; k < 8; ++k) tension_[k] = broadcast<Lane>(run_.tension[particle].component[k]);
         }
-        for (Lane& sum : sum_) sum = Lane{};
+        tally_.open();
     }
+    template <class Wide = Lane>
     void inside(const std::uint16_t* places)
     {
-        Lane to_other[8];
-        add_pairs(run_, places, to_other);
-        add_to_lines(&sums_->force.x, places, to_other);
+        const auto pair = effect<Wide>(run_, places);
+        tally_.add(pair);
+        tally_.take_from(places, pair);
     }
-    void outside(const Index* places)
-    {
-        Lane to_other[8];
-        add_pairs(records_, places, to_other);
-    }
-    void close(Index particle) { add_sums_to_line(&sums_[particle].force.x, sum_); }
+    void outside(const Index* places) { tally_.add(effect<Lane>(records_, places)); }
+    void close(Index particle) { tally_.close(particle); }
 
 private:
     PairRecords records_;
     PairRecords run_;
     Steepness<Kernel> steepness_;
     ArtificialViscosity viscosity_;
-    ForceSums* sums_;
+    ForceTally<Lane> tally_;
     Moving<Lane> own_;
     Lane push_, scale_, sound_, laminar_;
     Lane tension_[8];
-    Lane sum_[8];
 
-    template <class Place>
-    void add_pairs(const PairRecords& records, const Place* places, Lane (&to_other)[8])
+    template <class Wide, class Place>
+    PairEffect<Wide> effect(const PairRecords& records, const Place* places) const
     {
-        const auto other = Moving<Lane>::load(records.motion, places);
-        Lane push[4];
+        const auto own = own_.template in<Wide>();
+        const auto other = Moving<Wide>::load(records.motion, places);
+        Wide push[4];
         load_half_lines(&records.push->push, places, push);
 
-        const Vector3<Lane> apart = own_.position - other.position;
-        const Lane square = dot(apart, apart) + tiny_square;
-        const Lane inverse_distance = reciprocal_root(square);
-        const Lane smoothing = 0.5 * (own_.smoothing + other.smoothing);
-        const Lane steepness = steepness_(square, inverse_distance, reciprocal(smoothing));
+        const Vector3<Wide> apart = own.position - other.position;
+        const Wide square = dot(apart, apart) + tiny_square;
+        const Wide smoothing = 0.5 * (own.smoothing + other.smoothing);
+        const Wide steepness =
+            (own.weight * other.weight) * steepness_(square, reciprocal_root(square), reciprocal(smoothing));
 
-        const Lane opening = dot(own_.velocity - other.velocity, apart); // r dr/dt
-        const Lane opening_rate = opening * reciprocal(square + 0.01 * (smoothing * smoothing));
-        const Lane approach = min(smoothing * opening_rate, Lane{}); // Monaghan's mu
-        const Lane artificial =
-            approach * (viscosity_.quadratic * approach - (0.5 * viscosity_.linear) * (sound_ + push[2]));
-        const Lane viscous = (0.5 * artificial) * (scale_ + push[1]) - (laminar_ + push[3]) * opening_rate;
-        Lane viscous_pull = steepness * viscous;
-        if constexpr (rings) viscous_pull *= 0.5 * (own_.position.x + abs(other.position.x));
-        const Lane heat = -0.5 * viscous_pull * opening;
-        const Vector3<Lane> viscous_force = viscous_pull * apart;
-        const Vector3<Lane> force =
-            steepness * pushed(records, places, push[0], other.position.x, apart) + viscous_force;
-
-        const Lane values[8] = {force.x,         force.y,         force.z,         Lane{},
-                                viscous_force.x, viscous_force.y, viscous_force.z, heat};
-        for (int k = 0; k < 8; ++k) {
-            sum_[k] += other.weight * values[k];
-            to_other[k] = (k < 7 ? -own_.weight : own_.weight) * values[k];
+        const Wide opening = dot(own.velocity - other.velocity, apart); // r dr/dt
+        const Wide opening_rate = opening * reciprocal(square + 0.01 * (smoothing * smoothing));
+        const Wide approach = min(smoothing * opening_rate, Wide{}); // Monaghan's mu
+        const Wide artificial = approach * (viscosity_.quadratic * approach -
+                                            (0.5 * viscosity_.linear) * (widened<Wide>(sound_) + push[2]));
+        const Wide viscous = artificial * (0.5 * (widened<Wide>(scale_) + push[1])) -
+                             (widened<Wide>(laminar_) + push[3]) * opening_rate;
+        Wide pull = steepness * viscous;
+        if constexpr (rings) pull = 0.5 * (pull * (own.position.x + abs(other.position.x)));
+        const Wide loss = (0.5 * pull) * opening;
+        if constexpr (!rings && !tensor) {
+            const Wide all = steepness * (widened<Wide>(push_) + push[0]) + pull;
+            return {all * apart, pull * apart, loss};
+        } else {
+            const Vector3<Wide> viscous_force = pull * apart;
+            return {steepness * pushed(records, places, push[0], other.position.x, apart) + viscous_force,
+                    viscous_force, loss};
         }
     }
 
     /// (push_i + push_j) times the vector from j to i; in rings each row is weighed by radii.
-    template <class Place>
-    Vector3<Lane> pushed(const PairRecords& records, const Place* places, Lane push, Lane radius,
-                         const Vector3<Lane>& apart) const
+    template <class Wide, class Place>
+    Vector3<Wide> pushed(const PairRecords& records, const Place* places, Wide push, Wide radius,
+                         const Vector3<Wide>& apart) const
     {
-        Lane t[8];
+        const Wide own_push = widened<Wide>(push_);
+        Wide t[8];
         if constexpr (tensor) load_lines(records.tension->component, places, t);
         if constexpr (rings) {
-            const Lane own_radius = own_.position.x;
-            const Lane mean = mean_radius(own_radius, radius);
+            const Wide own_radius = own_.position.x;
+            const Wide mean = mean_radius(own_radius, radius);
             if constexpr (!tensor) {
-                return {(own_radius * push_ + radius * push) * apart.x, mean * (push_ + push) * apart.y,
-                        Lane{}};
+                return {(own_radius * own_push + radius * push) * apart.x, mean * (own_push + push) * apart.y,
+                        Wide{}};
             } else {
                 const auto radial = [&](int k) { return own_radius * tension_[k] + radius * t[k]; };
                 return {radial(0) * apart.x + radial(1) * apart.y,
-                        mean * ((tension_[3] + t[3]) * apart.x + (tension_[4] + t[4]) * apart.y), Lane{}};
+                        mean * ((tension_[3] + t[3]) * apart.x + (tension_[4] + t[4]) * apart.y), Wide{}};
             }
-        } else if constexpr (!tensor) {
-            return (push_ + push) * apart;
         } else {
-            for (int k = 0; k < 8; ++k) t[k] += tension_[k];
+            for (int k = 0; k < 8; ++k) t[k] = t[k] + widened<Wide>(tension_[k]);
             return {t[0] * apart.x + t[1] * apart.y + t[2] * apart.z,
                     t[3] * apart.x + t[4] * apart.y + t[5] * apart.z,
-                    t[6] * apart.x + t[7] * apart.y + (push_ + push) * apart.z};
+                    t[6] * apart.x + t[7] * apart.y + (own_push + push) * apart.z};
         }
     }
 };

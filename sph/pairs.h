@@ -1,12 +1,13 @@
 #pragma once
 
-#include "math/lane_lines.h"
+#include "math/lane_pair.h"
 #include "math/vector3.h"
 #include "sph/kernels.h"
 #include "sph/motion_record.h"
 #include "sph/neighbours.h"
 
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace plash {
@@ -51,25 +52,40 @@ struct Moving {
                 lanes(a.smoothing),
                 lanes(a.weight)};
     }
+    /// One particle, for neighbours that come in two batches.
+    template <class Wide>
+    Moving<Wide> in() const
+    {
+        const auto wide = [](Lane value) { return widened<Wide>(value); };
+        return {{wide(position.x), wide(position.y), wide(position.z)},
+                {wide(velocity.x), wide(velocity.y), wide(velocity.z)},
+                wide(smoothing),
+                wide(weight)};
+    }
 };
 
 /// Kernel of a run, with what its gradient needs: for a pair at distance r with mean smoothing length h,
 /// grad W = -steepness(r, h) * (x_i - x_j).
 template <class Kernel>
 struct Steepness {
-    double norm;
-    double plane; ///< 1 in the plane (W ~ h^-2), 0 in space (W ~ h^-3)
+    double plane, space; ///< the norm of the kernel in the plane (W ~ h^-2) or in space (W ~ h^-3); else 0
 
-    explicit Steepness(int dimension) : norm(-Kernel::norm(dimension)), plane(dimension == 2 ? 1 : 0) {}
+    explicit Steepness(int dimension)
+        : plane(dimension == 2 ? -Kernel::norm(2) : 0), space(dimension == 2 ? 0 : -Kernel::norm(dimension))
+    {}
 
     /// square  r^2 [length^2], not zero; inverse_distance 1 / r; inverse_smoothing 1 / h
     template <class Lane>
     Lane operator()(Lane square, Lane inverse_distance, Lane inverse_smoothing) const
     {
-        const Lane q = square * inverse_distance * inverse_smoothing;
-        const Lane cube = inverse_smoothing * inverse_smoothing * inverse_smoothing;
-        const Lane power = cube * (plane + (1 - plane) * inverse_smoothing);
-        return Kernel::slope(q) * inverse_distance * (norm * power);
+        const Lane q = square * (inverse_distance * inverse_smoothing);
+        const Lane area = inverse_smoothing * inverse_smoothing;
+        const Lane norm = plane + space * inverse_smoothing;
+        if constexpr (requires { Kernel::slope_by_q(q); }) {
+            return Kernel::slope_by_q(q) * ((area * area) * norm);
+        } else {
+            return (Kernel::slope(q) * inverse_distance) * ((area * inverse_smoothing) * norm);
+        }
     }
 };
 
@@ -82,20 +98,29 @@ inline constexpr double tiny_square = 1e-200;
 ///   void inside(const std::uint16_t* places)       neighbours, counted from the run's begin: both sides add
 ///   void outside(const Index* places)              neighbours by sorted place: only the opened particle adds
 ///   void close(Index particle)
+/// A pass that says `takes_two` has `inside` as a template over Lane and LanePair, and is given two batches
+/// of Lanes at once.
 template <class Lane, class Pass>
 void walk_pairs(const NeighbourRun& run, Pass& pass)
 {
     constexpr int width = lanes_in<Lane>;
+    constexpr bool two = std::is_same_v<Lane, Lanes> && requires
+    {
+        requires Pass::takes_two;
+    };
     const std::uint16_t* inside = run.inside.data();
     const std::uint16_t* outside = run.outside.data();
     const Index* halo = run.halo.data();
     for (Index particle = 0; particle < run.length(); ++particle) {
         const NeighbourRun::Batches batches = run.batches[particle];
         pass.open(particle);
-        for (const auto* end = inside + batches.inside * lane_count; inside < end; inside += width) {
-            pass.inside(inside);
+        const auto* end = inside + batches.inside * lane_count;
+        if constexpr (two) {
+            for (; inside < end; inside += pair_count) pass.template inside<LanePair>(inside);
+        } else {
+            for (; inside < end; inside += width) pass.inside(inside);
         }
-        for (const auto* end = outside + batches.outside * lane_count; outside < end; outside += width) {
+        for (end = outside + batches.outside * lane_count; outside < end; outside += width) {
             Index places[width];
             for (int l = 0; l < width; ++l) places[l] = halo[outside[l]];
             pass.outside(places);

@@ -98,11 +98,11 @@ void ParticleBody::take_over(Index place, const SolidHosts::Host& host, const Lo
     const double mass = a.mass(place);
     const double volume = host.volume * hosts_.relative_volume(host, state);
     const auto count = static_cast<double>(host.weights.size());
-    a.density[place] = mass * count / volume;
+    a.set_density(place, mass * count / volume);
     a.energy[place] = lost.internal / count * part.constants.density / mass;
     a.rate[place] = 0;
-    a.pressure[place] = -trace(lost.stress) / 3;
-    if (options_.volume_weighted) a.motion[place].weight = mass / a.density[place];
+    a.set_pressure(place, -trace(lost.stress) / 3);
+    if (options_.volume_weighted) a.motion[place].weight = mass / a.density(place);
     if (!part.law->has_strength()) return;
     a.stress[place] = lost.stress;
     const Index solid_material = model_.parts[model_.solids.part[host.stand_ins.solid]].material;
@@ -211,19 +211,20 @@ void ParticleBody::set_bonded(double step, const State& state)
             a.stress[p] = stress;
             a.correction[p] = {1, 1, 1, 0, 0, 0}; // its neighbours are those of one side alone
         } else {
-            const double closing = constants.volume_weighted ? a.rate[p] : a.rate[p] / a.density[p];
-            power = 0.5 * (a.pressure[p] + pressure) * closing;
+            const double closing = constants.volume_weighted ? a.rate[p] : a.rate[p] / a.density(p);
+            power = 0.5 * (a.pressure(p) + pressure) * closing;
         }
-        a.energy[p] += step * power * constants.density / a.density[p];
-        a.pressure[p] = pressure;
+        a.energy[p] += step * power * constants.density / a.density(p);
         a.rate[p] = 0;
         const double relative_volume = hosts_.relative_volume(host, state);
-        a.density[p] = a.mass(p) * static_cast<double>(host.weights.size()) / (host.volume * relative_volume);
+        const double density =
+            a.mass(p) * static_cast<double>(host.weights.size()) / (host.volume * relative_volume);
         const double size = constants.size_of(a.mass(p));
         const double smoothing = constants.smoothing * std::cbrt(relative_volume);
-        set_records(constants, p,
+        set_records(constants, p, density,
                     size * std::clamp(smoothing, constants.smallest_smoothing, constants.largest_smoothing),
                     a.push[p].sound, a);
+        a.set_pressure(p, pressure);
         set_push(constants, p, stress, a);
     }
 }

@@ -32,18 +32,17 @@ struct ParticleArrays {
     std::vector<std::uint8_t> image;    ///< an ImageKind; 0: none
     std::vector<double> laminar;        ///< viscosity along differences of velocity, scaled; empty without
     std::vector<std::uint8_t> bonded;   ///< 1: waits in a solid, as a neighbour of others; empty without
-    std::vector<float> skin;            ///< what it may move before the next search, twice [length]
+    std::vector<float> reach;           ///< of the lists: half of kernel radius and skin [length]
     std::vector<TensionRecord> tension; ///< only of bodies whose push is a tensor
 
-    std::vector<Index> particle;      ///< number in the order of creation
-    std::vector<Index> node;          ///< index in the State
-    std::vector<std::uint8_t> asleep; ///< 1: outside of the active regions
-    std::vector<double> own_mass;     ///< where weights are volumes, see mass() [mass]
-    std::vector<double> density;      ///< [mass/volume]
-    std::vector<double> rate;         ///< of density, or of its logarithm where weights are volumes [1/time]
-    std::vector<double> diffusion;    ///< rate of density by diffusion; empty without [mass/volume/time]
-    std::vector<double> pressure;     ///< [stress]
-    std::vector<double> energy;       ///< internal energy by initial volume [energy/volume]
+    std::vector<Index> particle;       ///< number in the order of creation
+    std::vector<Index> node;           ///< index in the State
+    std::vector<std::uint8_t> asleep;  ///< 1: outside of the active regions
+    std::vector<double> own_mass;      ///< where weights are volumes, see mass() [mass]
+    std::vector<double> rate;          ///< of density, or of its logarithm where weights are volumes [1/time]
+    std::vector<double> diffusion;     ///< rate of density by diffusion; empty without [mass/volume/time]
+    std::vector<double> kept_pressure; ///< where it is not all of the push; else empty [stress]
+    std::vector<double> energy;        ///< internal energy by initial volume [energy/volume]
     std::vector<Vector3<float>> viscous_force; ///< share of viscosity in the last force [force]
     std::vector<float> heat;                   ///< its heating power [energy/time]
     // Only of bodies with boundaries that let waves out.
@@ -68,9 +67,36 @@ struct ParticleArrays {
     Vec3 build_origin;                          ///< that build_position counts from [length]
     double build_rounding = 0;                  ///< the largest error of build_position [length]
     std::vector<Vector3<float>> build_position; ///< at the last neighbour search [length]
-    std::vector<float> build_smoothing;
 
     double mass(std::size_t place) const { return own_mass.empty() ? motion[place].weight : own_mass[place]; }
+
+    // Density and pressure stand in the push, as pair loops see them: scaled by 1 / density^2 where weights
+    // are masses.
+    double density(std::size_t place) const
+    {
+        return own_mass.empty() ? 1 / push[place].scale : push[place].scale;
+    }
+    void set_density(std::size_t place, double value)
+    {
+        push[place].scale = own_mass.empty() ? 1 / value : value;
+    }
+    double scaling(std::size_t place) const
+    {
+        return own_mass.empty() ? push[place].scale * push[place].scale : 1;
+    }
+    double pressure(std::size_t place) const
+    {
+        return kept_pressure.empty() ? push[place].push / scaling(place) : kept_pressure[place];
+    }
+    /// To be called after set_density.
+    void set_pressure(std::size_t place, double value)
+    {
+        if (kept_pressure.empty()) {
+            push[place].push = value * scaling(place);
+        } else {
+            kept_pressure[place] = value;
+        }
+    }
     Index size() const { return static_cast<Index>(motion.size()); }     ///< with the images
     Index real_count() const { return static_cast<Index>(node.size()); } ///< without them
 
@@ -80,10 +106,10 @@ struct ParticleArrays {
 
     void serialise(Archive& archive)
     {
-        archive(motion, push, particle, node, part, image, bonded, asleep, own_mass, density, rate, diffusion,
-                pressure, energy, viscous_force, heat, laminar, rest_pressure, rest_velocity, first_radius,
-                moment, bulk, drift, tension, gradient, correction, stress, history, skin, build_origin,
-                build_rounding, build_position, build_smoothing);
+        archive(motion, push, particle, node, part, image, bonded, asleep, own_mass, rate, diffusion,
+                kept_pressure, energy, viscous_force, heat, laminar, rest_pressure, rest_velocity,
+                first_radius, moment, bulk, drift, tension, gradient, correction, stress, history, reach,
+                build_origin, build_rounding, build_position);
     }
 };
 

@@ -91,7 +91,9 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
     if (tensor_ || options_.axisymmetric) sum_rates({}); // for what corrects the first forces
     apply_laws(0, sleepers_);
     apply_laws(0, places_);
-    if (images_.any_absorbing()) arrays_.rest_pressure = arrays_.pressure;
+    for (std::size_t p = 0; p < arrays_.rest_pressure.size(); ++p) {
+        arrays_.rest_pressure[p] = arrays_.pressure(p);
+    }
 }
 
 /// All particles in the order of parts and their nodes, before the first search sorts them.
@@ -103,7 +105,7 @@ void ParticleBody::create(const State& state)
     a.node.reserve(real_count_);
     a.part.reserve(real_count_);
     if (options_.volume_weighted) a.own_mass.reserve(real_count_);
-    a.density.reserve(real_count_);
+    a.push.reserve(real_count_);
     a.energy.reserve(real_count_);
     a.history.reserve(real_count_ * a.history_size);
     for (std::size_t number = 0; number < parts_.size(); ++number) {
@@ -143,7 +145,8 @@ void ParticleBody::append(std::size_t number, Index node, double mass, const Sta
         a.motion.back().weight /= ring_radius(a.motion.back());
         a.first_radius.push_back(state.position[node].x);
     }
-    a.density.push_back(density);
+    a.push.push_back({});
+    a.set_density(a.push.size() - 1, density);
     a.energy.push_back(part.law->initial_energy());
     if (a.history_size == 0) return;
     a.history.resize(a.history.size() + a.history_size);
@@ -173,12 +176,11 @@ void ParticleBody::fill_up()
     a.image.resize(count);
     a.part.resize(count);
     a.asleep.resize(count);
-    a.push.resize(count);
     a.rate.resize(count);
-    a.pressure.resize(count);
+    if (tensor_ || options_.axisymmetric || options_.bulk_viscosity) a.kept_pressure.resize(count);
     a.viscous_force.resize(count);
     a.heat.resize(count);
-    a.skin.resize(count);
+    a.reach.resize(count);
 }
 
 void ParticleBody::add_forces(const Clock& clock, State& state)
@@ -247,7 +249,7 @@ void ParticleBody::sum_rates(const Clock& clock)
 void ParticleBody::take_gradient(Index place, double half_step, const GradientSums& sums)
 {
     ParticleArrays& a = arrays_;
-    double scale = options_.volume_weighted ? 1 : 1 / a.density[place];
+    double scale = options_.volume_weighted ? 1 : 1 / a.density(place);
     const double* v = sums.velocity;
     Tensor3<double> gradient{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]};
     if (options_.axisymmetric) {
@@ -272,7 +274,7 @@ void ParticleBody::take_gradient(Index place, double half_step, const GradientSu
     if (options_.axisymmetric) gradient.zz = hoop_rate(a.motion[place], half_step);
     a.gradient[place] = gradient;
     const double expansion = gradient.xx + gradient.yy + gradient.zz;
-    a.rate[place] = options_.volume_weighted ? -expansion : -expansion * a.density[place];
+    a.rate[place] = options_.volume_weighted ? -expansion : -expansion * a.density(place);
 }
 
 /// Takes positions and velocities from the State, and the heat of the second half of the last viscous
@@ -314,10 +316,10 @@ void ParticleBody::search(State& state)
     for (const PeriodicPair& pair : images_.periods()) {
         followed_.push_back(pair.node == none ? Vec3{} : state.position[pair.node]);
     }
-    set_skins();
+    set_reaches();
     double range = 0;
     for (Index p = 0; p < a.real_count(); ++p) {
-        range = std::max(range, support_ * a.motion[p].smoothing + a.skin[p]);
+        range = std::max(range, 2.0 * a.reach[p]);
     }
     std::vector<Index> place_of(real_count_);
     std::vector<Vec3> position(real_count_);
@@ -354,13 +356,12 @@ void ParticleBody::search(State& state)
             sort(a.first_radius);
             sort(a.moment);
         }
-        sort(a.density);
         sort(a.rate);
-        sort(a.pressure);
+        if (!a.kept_pressure.empty()) sort(a.kept_pressure);
         sort(a.energy);
         sort(a.viscous_force);
         sort(a.heat);
-        sort(a.skin, images);
+        sort(a.reach, images);
         if (!a.laminar.empty()) sort(a.laminar, images);
         if (!a.rest_pressure.empty()) {
             sort(a.rest_pressure);
@@ -378,6 +379,7 @@ void ParticleBody::search(State& state)
     a.image.assign(order.size(), no_image);
     put_to_sleep(state);
     images_.settle(order, a);
+    cells.release_order();
     images_.refresh_all(a);
     list_neighbours(cells);
     if (hosts_.any()) find_pressed();
@@ -405,13 +407,12 @@ void ParticleBody::take_forces(const NeighbourRun& run, const ForceSums* sums, d
     ParticleArrays& a = arrays_;
     for (Index i = 0; i < run.length(); ++i) {
         const Index p = run.begin + i;
-        const double weight = a.motion[p].weight;
-        const double heat = weight * sums[i].heat;
-        a.viscous_force[p] = narrow(wide(a.viscous_force[p]) + weight * sums[i].viscous_force);
+        const double heat = sums[i].heat;
+        a.viscous_force[p] = narrow(wide(a.viscous_force[p]) + sums[i].viscous_force);
         a.heat[p] += static_cast<float>(heat);
         const double density = parts_[a.part[p]].constants.density;
         a.energy[p] += half_step * heat * density / a.mass(p);
-        state.force[a.node[p]] += weight * sums[i].force;
+        state.force[a.node[p]] += sums[i].force;
     }
 }
 

@@ -180,7 +180,7 @@ private:
     void search(State& state);
     std::vector<Index> dismiss_leaving(State& state);
     void choose_skin();
-    void set_skins();
+    void set_reaches();
     void list_neighbours(const ParticleCells& cells);
     void apply_laws(double step, const std::vector<std::vector<Index>>& all_places);
     void add_pair_forces(const Clock& clock, State& state);

@@ -59,8 +59,9 @@ void ParticleBody::choose_skin()
     cycles_since_search_ = 0;
 }
 
-/// Gives every particle the skin that all of them use up in about the same time at their present speeds.
-void ParticleBody::set_skins()
+/// Gives every particle a reach with the skin that all of them use up in about the same time at their present
+/// speeds.
+void ParticleBody::set_reaches()
 {
     ParticleArrays& a = arrays_;
     const Vec3 mean =
@@ -76,7 +77,8 @@ void ParticleBody::set_skins()
     const double time = fastest > 0 ? (largest_share - least_share) * skin / fastest : 0;
     for_chunks(a.real_count(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-            a.skin[p] = static_cast<float>(least_skin_ + norm(a.motion[p].velocity - mean) * time);
+            const double own_skin = least_skin_ + norm(a.motion[p].velocity - mean) * time;
+            a.reach[p] = static_cast<float>(0.5 * (support_ * a.motion[p].smoothing + own_skin));
         }
     });
 }
@@ -92,15 +94,13 @@ void ParticleArrays::remember_build()
     build_origin = 0.5 * (lower + upper);
     build_rounding = 0.5 * norm(upper - lower) * std::numeric_limits<float>::epsilon();
     build_position.resize(node.size());
-    build_smoothing.resize(node.size());
     for (std::size_t p = 0; p < node.size(); ++p) {
         build_position[p] = narrow(motion[p].position - build_origin);
-        build_smoothing[p] = static_cast<float>(motion[p].smoothing);
     }
 }
 
 /// Whether no pair can have come into reach that is not on the lists: no particle has moved, against all of
-/// them, by more than half of its skin, growth of its kernel included.
+/// them, by more than what its reach has left beyond its kernel of now.
 bool ParticleBody::lists_hold(const State& state) const
 {
     const ParticleArrays& a = arrays_;
@@ -120,8 +120,7 @@ bool ParticleBody::lists_hold(const State& state) const
     const double passed = sum_chunks(a.real_count(), [&](std::size_t begin, std::size_t end) {
         double count = 0;
         for (std::size_t p = begin; p < end; ++p) {
-            const double growth = std::max(0.0, a.motion[p].smoothing - (1 - 1e-7) * a.build_smoothing[p]);
-            const double left = 0.5 * (a.skin[p] - support_ * growth) - a.build_rounding;
+            const double left = a.reach[p] - 0.5 * support_ * a.motion[p].smoothing - a.build_rounding;
             const Vec3 moved = a.motion[p].position - a.built_at(p) - common;
             count += !(left >= 0 && dot(moved, moved) <= left * left);
         }
@@ -169,7 +168,7 @@ void ParticleBody::list_neighbours(const ParticleCells& cells)
 {
     ParticleArrays& a = arrays_;
     a.remember_build();
-    images_.copy_skins(a);
+    images_.copy_reaches(a);
     std::vector<std::uint64_t> sees;
     if (!options_.parts_interact || alive_ != ~0ULL) {
         for (std::size_t part = 0; part < parts_.size(); ++part) {
@@ -184,8 +183,7 @@ void ParticleBody::list_neighbours(const ParticleCells& cells)
         for (std::uint64_t& seen : sees) seen &= ~(1ULL << part);
     }
     build_neighbours(
-        cells,
-        {a.motion, a.skin, support_, a.asleep, group.empty() ? std::span(a.part) : std::span(group), sees},
+        cells, {a.motion, a.reach, a.asleep, group.empty() ? std::span(a.part) : std::span(group), sees},
         runs_);
     ++searches_;
 }

@@ -13,13 +13,13 @@ namespace {
 SymmetricTensor<double> stress_of(const ParticlePart& part, const ParticleArrays& arrays, Index place)
 {
     if (part.law->has_strength()) return arrays.stress[place];
-    const double pressure = arrays.pressure[place];
+    const double pressure = arrays.pressure(place);
     return {-pressure, -pressure, -pressure, 0, 0, 0};
 }
 
 double strain_of(const ParticlePart& part, const ParticleArrays& arrays, Index place)
 {
-    if (!part.law->has_strength()) return std::log(arrays.density[place] / part.constants.density);
+    if (!part.law->has_strength()) return std::log(arrays.density(place) / part.constants.density);
     return part.law->plastic_strain(arrays.history.data() + std::size_t(place) * arrays.history_size);
 }
 
@@ -88,8 +88,8 @@ void ParticleBody::collect(const State& state, ElementResults& results) const
         const ParticlePart& part = parts_[a.part[p]];
         ElementResults::Particle& particle = results.particles[element_of[a.node[p]]];
         particle.smoothing = a.motion[p].smoothing;
-        particle.pressure = a.pressure[p];
-        particle.density = a.density[p];
+        particle.pressure = a.pressure(p);
+        particle.density = a.density(p);
         particle.mass = a.mass(p);
         particle.internal_energy = a.energy[p] * a.mass(p) / part.constants.density;
         particle.plastic_strain = strain_of(part, a, p);

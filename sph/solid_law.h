@@ -85,7 +85,8 @@ private:
         const SymmetricTensor<Lanes> increment =
             turned_half(broadcast<Lanes>(step) * symmetric_part(gradient), half_turn);
         const Tensor3<Lanes> rotation = incremental_rotation(half_turn);
-        const Lanes expansion = trace(increment), before = from(arrays.density);
+        const Lanes expansion = trace(increment),
+                    before = gather(places, [&](Index p) { return arrays.density(p); });
         const Lanes density = advanced_density(true, before, -expansion);
 
         std::array<Lanes, Material::history_size> variables;
@@ -119,15 +120,14 @@ private:
         ParticleVote vote;
         for (std::size_t l = 0; l < places.size(); ++l) {
             const Index p = places[l];
-            arrays.density[p] = density[l];
             arrays.energy[p] = energy[l];
             arrays.stress[p] = {stress.xx[l], stress.yy[l], stress.zz[l],
                                 stress.xy[l], stress.yz[l], stress.zx[l]};
-            arrays.pressure[p] = -trace(arrays.stress[p]) / 3;
             for (int k = 0; k < Material::history_size; ++k) {
                 arrays.history[std::size_t(p) * stride + k] = variables[k][l];
             }
-            set_records(part, p, h[l], sound[l], arrays);
+            set_records(part, p, density[l], h[l], sound[l], arrays);
+            arrays.set_pressure(p, -trace(arrays.stress[p]) / 3);
             SymmetricTensor<double> pushing = arrays.stress[p];
             pushing.xx -= bulk[l], pushing.yy -= bulk[l], pushing.zz -= bulk[l];
             set_push(part, p, pushing, arrays);

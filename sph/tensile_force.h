@@ -23,7 +23,7 @@ public:
           volumes_(volume_weighted),
           strength_(strength),
           steepness_(dimension),
-          sums_(sums)
+          tally_(sums)
     {}
 
     void open(Index particle)
@@ -32,20 +32,16 @@ public:
         const PushRecord& push = run_.push[particle];
         volume_ = volumes_ ? own_.weight : own_.weight * push.scale;
         push_ = broadcast<Lane>(std::min(push.push, 0.0));
-        for (Lane& sum : sum_) sum = Lane{};
+        tally_.open();
     }
     void inside(const std::uint16_t* places)
     {
-        Lane to_other[8];
-        add_pairs(run_, places, to_other);
-        add_to_lines(&sums_->force.x, places, to_other);
+        const auto pair = effect(run_, places);
+        tally_.add(pair);
+        tally_.take_from(places, pair);
     }
-    void outside(const Index* places)
-    {
-        Lane to_other[8];
-        add_pairs(records_, places, to_other);
-    }
-    void close(Index particle) { add_sums_to_line(&sums_[particle].force.x, sum_); }
+    void outside(const Index* places) { tally_.add(effect(records_, places)); }
+    void close(Index particle) { tally_.close(particle); }
 
 private:
     PairRecords records_;
@@ -54,13 +50,12 @@ private:
     bool volumes_;
     double strength_;
     Steepness<Kernel> steepness_;
-    ForceSums* sums_;
+    ForceTally<Lane> tally_;
     Moving<Lane> own_;
     Lane volume_, push_;
-    Lane sum_[8];
 
     template <class Place>
-    void add_pairs(const PairRecords& records, const Place* places, Lane (&to_other)[8])
+    PairEffect<Lane> effect(const PairRecords& records, const Place* places) const
     {
         const auto other = Moving<Lane>::load(records.motion, places);
         Lane push[4];
@@ -76,14 +71,10 @@ private:
                        max(Kernel::value(spacing * inverse_smoothing), broadcast<Lane>(1e-6));
         const Lane f2 = f * f;
         const Lane repulsion = -strength_ * (push_ + min(push[0], Lane{})) * (f2 * f2);
-        const Lane pull = repulsion * steepness_(square, inverse_distance, inverse_smoothing);
+        const Lane pull = (own_.weight * other.weight * repulsion) *
+                          steepness_(square, inverse_distance, inverse_smoothing);
         const Vector3<Lane> force = pull * apart;
-        const Lane heat = -0.5 * pull * dot(own_.velocity - other.velocity, apart);
-        const Lane values[8] = {force.x, force.y, force.z, Lane{}, force.x, force.y, force.z, heat};
-        for (int k = 0; k < 8; ++k) {
-            sum_[k] += other.weight * values[k];
-            to_other[k] = (k < 7 ? -own_.weight : own_.weight) * values[k];
-        }
+        return {force, force, 0.5 * pull * dot(own_.velocity - other.velocity, apart)};
     }
 };
 

@@ -188,9 +188,11 @@ TEST(SphStability, NegativePressuresStopAtTheCutOff)
         Recorders nobody;
         const Outcome outcome = run(scene, nobody);
         EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
-        const auto& pressure = world.body->arrays().pressure;
-        const double lowest = *std::min_element(pressure.begin(), pressure.end());
-        EXPECT_GE(lowest, cutoff);
+        double lowest = 0;
+        for (Index p = 0; p < world.body->arrays().real_count(); ++p) {
+            lowest = std::min(lowest, world.body->arrays().pressure(p));
+        }
+        EXPECT_GE(lowest, cutoff * (1 + 1e-14)); // but for round-off: pressures are kept scaled
         EXPECT_LT(scene.ledger.balance_error(), 1e-4);
         // The work of the cut-off over the doubled width: 7 volumes times 1e5 of 3,750 J by cubic metre /
         // 1e-3.

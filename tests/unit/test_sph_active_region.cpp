@@ -60,7 +60,7 @@ TEST(SphActiveRegion, SleepersStandStillAndAreSeen)
         if (start.x < 8) {
             EXPECT_EQ(norm(scene.state.position[a.node[p]] - start), 0);
             EXPECT_EQ(norm(scene.state.velocity[a.node[p]]), 0);
-            asleep_pressure = a.pressure[p];
+            asleep_pressure = a.pressure(p);
         }
         if (start.x > 15) free_end = std::max(free_end, scene.state.velocity[a.node[p]].x);
         if (start.x > 8 && start.x < 10)

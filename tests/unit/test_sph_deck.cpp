@@ -43,7 +43,7 @@ TEST(SphDeck, TakesSpacingMassesAndDefaults)
     EXPECT_EQ(body.items(), 12u);
     EXPECT_DOUBLE_EQ(body.arrays().motion[0].smoothing, 12);           // CSLH 1.2 times the spacing
     for (double mass : scene.state.mass) EXPECT_DOUBLE_EQ(mass, 1e-6); // 1000 volume units of 1e-9 as well
-    EXPECT_DOUBLE_EQ(body.arrays().density[0], 1e-9);
+    EXPECT_DOUBLE_EQ(body.arrays().density(0), 1e-9);
     // h / (Q + sqrt(Q^2 + c^2)) with Q = Q2 c at rest, Q2 = 0.06
     EXPECT_NEAR(body.stable_step().step, 12 / (1.48e6 * (0.06 + std::sqrt(1 + 0.06 * 0.06))), 1e-15);
 }

@@ -56,13 +56,20 @@ struct Cloud {
     {
         std::vector<MotionRecord> motion(position.size());
         for (std::size_t p = 0; p < position.size(); ++p) motion[p] = {position[p], smoothing, {}, 0};
-        build_neighbours(cells, {motion, skin, support, asleep, group, sees}, runs, largest_halo);
+        std::vector<float> reach;
+        for (std::size_t p = 0; p < position.size(); ++p) {
+            reach.push_back(static_cast<float>(0.5 * (support * smoothing + skin[p])));
+        }
+        build_neighbours(cells, {motion, reach, asleep, group, sees}, runs, largest_halo);
     }
 
     bool close(Index a, Index b) const
     {
         const Vec3 apart = position[a] - position[b];
-        const double limit = support * smoothing + 0.5 * (skin[a] + skin[b]);
+        const auto reach = [&](Index p) {
+            return static_cast<double>(static_cast<float>(0.5 * (support * smoothing + skin[p])));
+        };
+        const double limit = reach(a) + reach(b);
         return a != b && dot(apart, apart) < limit * limit;
     }
     bool looks(Index a) const { return a < static_cast<Index>(asleep.size()) && !asleep[a]; }

@@ -76,6 +76,9 @@ TEST(LaneLines, LoadsAndAddsLikeTheScalarText)
     }
     add_to_lines(sums, place, line);
     for (int i = 0; i < 96; ++i) EXPECT_EQ(sums[i], expected[i]);
+    subtract_from_lines(sums, place, line);
+    for (double sum : sums) EXPECT_EQ(sum, 0); // multiples of 1/4: exact
+    add_to_lines(sums, place, line);
     add_sums_to_line(sums, line);
     for (int k = 0; k < 8; ++k) EXPECT_DOUBLE_EQ(sums[k], expected[k] + sum_of_lanes(line[k]));
     add_to_places(sums, place, line[0]);
@@ -145,7 +148,8 @@ TEST_P(SphPasses, EqualTheDoubleSumOverAllParticles)
                 const double mean_sound = 0.5 * (push[i].sound + push[j].sound);
                 double pi = (1.5 * mu * mu - 1.0 * mean_sound * mu) * 0.5 * (push[i].scale + push[j].scale);
                 pi -= (push[i].viscosity + push[j].viscosity) * opening;
-                expected_force -= motion[j].weight * (push[i].push + push[j].push + pi) * gradient(r);
+                expected_force -=
+                    motion[i].weight * motion[j].weight * (push[i].push + push[j].push + pi) * gradient(r);
             }
             EXPECT_NEAR(rate[i], expected_rate, 1e-12);
             EXPECT_LT(norm(sums[i].force - expected_force), 1e-11);

@@ -68,9 +68,9 @@ TEST(SphDepth, PressureIsThatOfTheWaterAbove)
     const ParticleArrays& a = dynamic_cast<const ParticleBody&>(*scene.terms.at(0)).arrays();
     for (Index p = 0; p < a.real_count(); ++p) {
         const double pressure = density * gravity * (high * spacing - a.motion[p].position.z);
-        EXPECT_NEAR(a.pressure[p], pressure, 1e-9 * density * gravity);
+        EXPECT_NEAR(a.pressure(p), pressure, 1e-9 * density * gravity);
         // Tait: p = B ((rho / rho0)^7 - 1)
-        EXPECT_NEAR(a.density[p], density * std::pow(1 + 7 * pressure / (density * sound * sound), 1.0 / 7),
+        EXPECT_NEAR(a.density(p), density * std::pow(1 + 7 * pressure / (density * sound * sound), 1.0 / 7),
                     1e-9 * density);
     }
 }

@@ -110,7 +110,7 @@ TEST(SphGraded, StandsStillUnderGravity)
     for (Index p = 0; p < a.real_count(); ++p) {
         fastest = std::max(fastest, norm(scene.state.velocity[a.node[p]]));
         const double head = water_density * free_fall * (depth - a.motion[p].position.z);
-        squares += std::pow(a.pressure[p] - head, 2);
+        squares += std::pow(a.pressure(p) - head, 2);
     }
     EXPECT_LT(fastest, 0.01 * std::sqrt(free_fall * depth));
     EXPECT_LT(std::sqrt(squares / a.real_count()), 0.03 * water_density * free_fall * depth); // 0.019

@@ -206,7 +206,7 @@ TEST(SphInflow, PaysForThePressureThatItMakes)
     const ParticleArrays& a = world.body->arrays();
     for (Index p = 0; p < a.real_count(); ++p) {
         if (a.motion[p].position.x < 0.2 || a.motion[p].position.x > 0.5) continue;
-        pressure += a.pressure[p];
+        pressure += a.pressure(p);
         ++count;
     }
     EXPECT_NEAR(pressure / count / speed, 1 + speed / 2, 0.02);

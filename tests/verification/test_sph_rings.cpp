@@ -240,7 +240,7 @@ double pressure_under_bird(int across, bool nose, double linear_viscosity, const
         for (Index p = 0; p < a.real_count(); ++p) {
             const Vec3& x = a.motion[p].position;
             if (x.y > 2 * spacing || x.x * x.x > 0.06 * bird_radius * bird_radius) continue;
-            sum += a.mass(p) * a.pressure[p];
+            sum += a.mass(p) * a.pressure(p);
             mass += a.mass(p);
         }
         if (mass == 0) return;

@@ -53,8 +53,8 @@ void check_sod_tube(bool bulk_viscosity, double tolerance, double balance)
         for (Index p = 0; p < a.real_count(); ++p) {
             const double x = a.motion[p].position.x;
             if (x < from || x > to) continue;
-            m.pressure += a.pressure[p];
-            m.density += a.density[p];
+            m.pressure += a.pressure(p);
+            m.density += a.density(p);
             m.velocity += scene.state.velocity[a.node[p]].x;
             ++m.count;
         }
@@ -146,7 +146,7 @@ struct Bird {
             for (Index p = 0; p < a.real_count(); ++p) {
                 const Vec3& x = a.motion[p].position;
                 if (x.z > 2 * spacing || x.x * x.x + x.y * x.y > 0.06 * radius * radius) continue;
-                sum += a.pressure[p];
+                sum += a.pressure(p);
                 ++count;
             }
             if (count == 0) return;

@@ -91,7 +91,7 @@ TEST(SphWater, StandsStillUnderGravity)
         for (Index other = 0; other < a.real_count(); ++other) {
             above += a.mass(other) * std::clamp(0.5 + (a.motion[other].position.y - y) / spacing, 0.0, 1.0);
         }
-        const double error = a.pressure[p] - above * gravity / width;
+        const double error = a.pressure(p) - above * gravity / width;
         sum += error * error;
         fastest = std::max(fastest, norm(scene.state.velocity[a.node[p]]));
         middle += y / static_cast<double>(positions.size());
