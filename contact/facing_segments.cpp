@@ -202,8 +202,7 @@ void FacingSegments::find_sharp_nodes(const ContactMotion& motion)
     find_standing();
 }
 
-/// Rings of facets between each facet and the next rim or sharp edge, four at most, times its size; the
-/// fourth power of it.
+/// Rings of facets between each facet and the next rim or sharp edge, four at most, times its size.
 void FacingSegments::find_standing()
 {
     constexpr int rings = 4;
@@ -222,10 +221,8 @@ void FacingSegments::find_standing()
         }
     }
     standing_.resize(mesh_.facets.size());
-    for (std::size_t i = 0; i < standing_.size(); ++i) {
-        const double extent = (least(mesh_.facets[i]) + 0.25) * mesh_.facets[i].size;
-        standing_[i] = extent * extent * (extent * extent);
-    }
+    for (std::size_t i = 0; i < standing_.size(); ++i)
+        standing_[i] = (least(mesh_.facets[i]) + 0.25) * mesh_.facets[i].size;
 }
 
 double FacingSegments::node_weight(const ContactMotion& motion, Index node, const Vec3& normal) const
@@ -379,7 +376,6 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, const Fa
     if (!touching(touch.penetration)) return false;
     const double distance = gap - touch.penetration;
     const double weight = facing_weight(std::abs(candidate.along));
-    const double first_standing = standing_[pair.first], second_standing = standing_[pair.second];
     touch.first = pair.first;
     touch.second = pair.second;
     touch.normal = normal;
@@ -408,9 +404,9 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, const Fa
     }
     // By the area that the facet had at the start: a face that is stretched or tilted under load is no
     // stiffer.
-    const double share = second_standing / (first_standing + second_standing);
-    const double area = share * a.size * a.size / overlap.first_area() +
-                        (1 - share) * b.size * b.size / overlap.second_area();
+    const double area = standing_[pair.first] > standing_[pair.second]
+                            ? b.size * b.size / overlap.second_area()
+                            : a.size * a.size / overlap.first_area();
     apply_law(motion, area * areal_stiffness(pair.first, pair.second, step), overlap, touch);
     return true;
 }
