@@ -106,6 +106,17 @@ void fill_facets(ContactMesh& mesh, const std::vector<JoinedSegment>& joined, st
         facet.depth = std::min(facet.depth, std::max(deepest, facet.half_thickness));
 }
 
+/// The copies of what is read in every cycle.
+void pack(ContactMesh& mesh)
+{
+    for (const auto& facet : mesh.facets)
+        mesh.faces.push_back({facet.corner, facet.half_thickness, facet.depth});
+    for (const auto& node : mesh.nodes) mesh.half_thickness.push_back(node.half_thickness);
+    if (mesh.nodes.empty()) return;
+    const Index first = mesh.nodes.front().node, last = mesh.nodes.back().node;
+    if (static_cast<std::size_t>(last - first) + 1 == mesh.nodes.size()) mesh.first_node = first;
+}
+
 } // namespace
 
 std::vector<Index> spatial_order(std::span<const Vec3> place)
@@ -151,6 +162,7 @@ ContactMesh make_contact_mesh(const Contact& contact, const Surface& slave, cons
     }
     reorder(joined, spatial_order(center));
     fill_facets(mesh, joined, position.size());
+    pack(mesh);
     mesh.update_exposed(State{});
     return mesh;
 }

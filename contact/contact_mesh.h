@@ -21,7 +21,7 @@ struct ContactMesh {
         std::uint8_t sides = 0;   ///< slave_bit, master_bit: which sides the node is of
         std::uint8_t acts_on = 0; ///< segments with a common bit in `belongs` may be touched
     };
-    /// What every cycle reads of a facet, in one cache line; the rest is in `segments`.
+    /// What the search and the test of pairs read of a facet, in one cache line; the rest is in `segments`.
     struct alignas(64) Facet {
         std::array<Index, 4> corner{}; ///< this mesh's node numbers; a triangle repeats the third
         double half_thickness = 0;
@@ -36,9 +36,21 @@ struct ContactMesh {
 
         bool triangle() const { return corner[3] == corner[2]; }
     };
+    /// What forces need of a facet in every cycle, two in a cache line.
+    struct alignas(32) Face {
+        std::array<Index, 4> corner{};
+        double half_thickness = 0;
+        double depth = 0;
+
+        bool triangle() const { return corner[3] == corner[2]; }
+    };
 
     std::vector<Node> nodes;
     std::vector<Facet> facets;
+    std::vector<Face> faces;            ///< of the facets
+    std::vector<double> half_thickness; ///< of the nodes [length]
+    Index first_node =
+        none; ///< the nodes are those of the State from this one on; none: they are not in a row
     std::vector<Segment> segments; ///< origin of each facet
     std::vector<std::array<Index, 4>>
         facet_edges; ///< edge from corner i to the next; none where there is none
@@ -69,6 +81,12 @@ struct ContactMesh {
 
     /// Facet size below which the given share of all facets lies [length].
     double typical_size(double share) const;
+
+    /// State index of a node.
+    Index state_node(std::size_t node) const
+    {
+        return first_node == none ? nodes[node].node : first_node + static_cast<Index>(node);
+    }
 
     /// Marks what erosion has changed and connects the facets that are there now.
     void update_exposed(const State& state);

@@ -101,7 +101,7 @@ Vec3 FacingSegments::normal_of(const ContactMotion& motion, Index facet) const
 /// As PairSearch: pairs hold until nodes may have moved relative to one another by the margin.
 bool FacingSegments::holds(const ContactMotion& motion)
 {
-    const std::vector<Vec3>& position = motion.position;
+    const NodeVectors& position = motion.position;
     if (searched_at_.size() != position.size()) return false;
     if (motion.travelled + motion.step_range < test_due_) return true;
     Bounds moved;
@@ -132,7 +132,7 @@ bool FacingSegments::may_meet(Index a, Index b) const
 void FacingSegments::search(const ContactMotion& motion)
 {
     ++searches_;
-    searched_at_ = motion.position;
+    searched_at_.assign(motion.position.begin(), motion.position.end());
     test_due_ = motion.travelled + margin_;
     const double margin = std::max(margin_, 1.5 * motion.step_range);
     const std::size_t count = mesh_.facets.size();

@@ -121,8 +121,8 @@ private:
 TouchList touches_at_start(const Model& model, const Contact& contact, const ContactMesh& mesh)
 {
     ContactMotion motion;
-    motion.velocity.resize(mesh.nodes.size());
-    for (const auto& node : mesh.nodes) motion.position.push_back(model.nodes.position[node.node]);
+    motion.velocity.own().resize(mesh.nodes.size());
+    for (const auto& node : mesh.nodes) motion.position.own().push_back(model.nodes.position[node.node]);
     PairSearch search(mesh, model.solids.nodes, &model.thick_shells.nodes, &model);
     search.update(mesh, motion);
     TouchTable table;

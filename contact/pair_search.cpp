@@ -35,7 +35,7 @@ void PairSearch::update(const ContactMesh& mesh, const ContactMotion& motion,
 
 bool PairSearch::holds(const ContactMotion& motion)
 {
-    const std::vector<Vec3>& position = motion.position;
+    const NodeVectors& position = motion.position;
     if (searched_at_.size() != position.size()) return false;
     if (motion.travelled + motion.step_range < test_due_) return true;
     std::vector<Bounds> partial((position.size() + chunk_length - 1) / chunk_length);
@@ -129,8 +129,8 @@ void PairSearch::search(const ContactMesh& mesh, const ContactMotion& motion,
                         const std::vector<std::uint8_t>* only)
 {
     ++searches_;
-    const std::vector<Vec3>& position = motion.position;
-    searched_at_ = position;
+    const NodeVectors& position = motion.position;
+    searched_at_.assign(position.begin(), position.end());
     test_due_ = motion.travelled + margin_;
     // A node faster than the margin is seen a step ahead.
     const double margin = std::max(margin_, 1.5 * motion.step_range);

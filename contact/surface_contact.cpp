@@ -48,14 +48,17 @@ SurfaceContact::SurfaceContact(const Contact& contact, const Model& model, const
       lumped_(lumped_masses(model, parts)),
       frictions_(frictions_of(contact, model)),
       table_(any_friction(frictions_)),
-      sum_now_(mesh_.nodes.size()),
-      sum_before_(mesh_.nodes.size())
+      sum_(mesh_.nodes.size())
 {
     if (!model.stand_ins.empty()) hold_back_waiting();
     if (contact.tie.method != Tie::Method::none) tie(parts);
     if (presses_by_segments(contact)) make_facing();
     rigid_.resize(model.parts.size());
     for (std::size_t part = 0; part < parts.size(); ++part) rigid_[part].rigid = parts[part].rigid;
+    for (const auto& node : mesh_.nodes) {
+        const bool rigid = node.part != none && rigid_[node.part].rigid;
+        kind_.push_back(((node.sides & slave_bit) != 0 ? slave_node : 0) | (rigid ? rigid_node : 0));
+    }
 }
 
 /// A segment without an element beneath has the mass of its nodes.
@@ -215,8 +218,7 @@ void SurfaceContact::find_touches()
     PairList& pairs = search_.pairs();
     if (searches_seen_ != search_.searches()) table_.set_owners(pairs.owner);
     searches_seen_ = search_.searches();
-    touching_before_ = std::exchange(touching_now_, 0);
-    std::swap(sum_now_, sum_before_);
+    touching_now_ = 0;
     const TouchFinder finder(mesh_, motion_, contact_.square_edges);
     for_chunks_in_order<Room>(
         pairs.owner.size(), owners_at_once,
@@ -257,12 +259,12 @@ double SurfaceContact::stiffness_of(Index node, Index number) const
 
 const Friction& SurfaceContact::friction_of(Index node, Index facet, Friction& mixed) const
 {
+    if (contact_.static_friction != -1) return frictions_.front(); // that of all
     const auto of_part = [&](Index part) -> const Friction& {
         return part == none ? frictions_.back() : frictions_[part];
     };
     const Friction& own = of_part(mesh_.nodes[node].part);
     const Friction& other = of_part(mesh_.facets[facet].part);
-    if (contact_.static_friction != -1) return own;
     mixed = {0.5 * (own.at_rest + other.at_rest), 0.5 * (own.moving + other.moving),
              0.5 * (own.decay + other.decay), 0.5 * (own.shear_cap + other.shear_cap)};
     return mixed;
@@ -273,12 +275,37 @@ void SurfaceContact::rest()
 {
     search_.forget();
     if (facing_) facing_->clear();
-    if (touching_now_ + touching_before_ > 0) {
-        std::fill(sum_now_.begin(), sum_now_.end(), NodeSum{});
-        std::fill(sum_before_.begin(), sum_before_.end(), NodeSum{});
-    }
     table_.clear();
-    touching_now_ = touching_before_ = 0;
+    touching_now_ = 0;
+}
+
+/// Adds the work of forces of both sides over half a step, from their powers by chunk.
+void SurfaceContact::take_work(const Clock& clock, std::span<const double> slave,
+                               std::span<const double> master)
+{
+    for (const double power : slave) energy_.slave -= 0.5 * clock.last_step * power;
+    for (const double power : master) energy_.master -= 0.5 * clock.last_step * power;
+}
+
+/// Loads where the nodes are now and how they came there, and with these velocities takes the second half of
+/// the work of the forces at n-1, which are no longer needed then.
+void SurfaceContact::move_on(const Clock& clock, const State& state)
+{
+    const std::size_t count = sum_.size();
+    std::vector<double> slave((count + chunk_length - 1) / chunk_length), master(slave.size());
+    motion_.load(mesh_, clock, state, [&](std::size_t begin, std::size_t end) {
+        if (!summed_) return;
+        const Vec3* velocity = motion_.velocity.data();
+        double power[2] = {};
+        for (std::size_t i = begin; i < end; ++i) {
+            power[kind_[i] & slave_node] += dot(sum_[i].force, velocity[i]);
+            sum_[i] = NodeSum{};
+        }
+        slave[begin / chunk_length] = power[1];
+        master[begin / chunk_length] = power[0];
+    });
+    if (summed_) take_work(clock, slave, master);
+    summed_ = false;
 }
 
 void SurfaceContact::add_forces(const Clock& clock, State& state)
@@ -287,17 +314,17 @@ void SurfaceContact::add_forces(const Clock& clock, State& state)
     vote_ = ties_ ? ties_->vote() : StepVote::nothing();
     if (ties_) pull_ties(clock, state);
     if (!active(clock)) {
+        if (summed_) move_on(clock, state);
         rest();
         return;
     }
     follow_erosion(state);
-    motion_.load(mesh_, clock, state);
+    move_on(clock, state);
     const double longest = contact_.soft_step > 0 ? contact_.soft_step : clock.last_step;
     soft_changed_ = contact_.soft != 0 && longest > soft_step_;
     soft_step_ = std::max(soft_step_, longest);
     const std::vector<std::uint8_t>* nodes = nullptr;
     if (facing_) {
-        facing_pressed_ = !facing_->touches().empty();
         const long searches = facing_->searches();
         energy_.friction += facing_->find(motion_, soft_step_);
         if (facing_->searches() != searches) search_.forget(); // other nodes may be sharp
@@ -342,7 +369,7 @@ void SurfaceContact::set_constraint_forces(const Clock& clock, State& state)
         const Facet& facet = mesh_.facets[touch.facet];
         const auto share = shares(touch);
         const auto set = [&](TouchTable::Field field, double value) {
-            table_.row(field, layer)[owner] = value;
+            table_.value(field, layer, owner) = value;
         };
         Vec3 velocity = next_velocity(touch.node), friction_now{};
         double inverse = inverse_mass(touch.node), normal_force = 0;
@@ -371,8 +398,8 @@ void SurfaceContact::set_constraint_forces(const Clock& clock, State& state)
             set(TouchTable::friction_z, friction_now.z);
         }
         const Vec3 force = normal_force * touch.normal + friction_now;
-        sum_now_[touch.node].force += force;
-        for (int i = 0; i < 4; ++i) sum_now_[facet.corner[i]].force -= share[i] * force;
+        sum_[touch.node].force += force;
+        for (int i = 0; i < 4; ++i) sum_[facet.corner[i]].force -= share[i] * force;
     };
     for (std::size_t owner = 0; owner < table_.owners(); ++owner)
         for (int layer = 0; layer < table_.count(owner); ++layer) take(owner, layer);
@@ -384,7 +411,7 @@ void SurfaceContact::sum_up_facing()
     for (const FacingTouch& touch : facing_->touches()) {
         const auto put = [&](Index facet, const std::array<double, 4>& share, double sign) {
             for (int i = 0; i < 4; ++i) {
-                NodeSum& corner = sum_now_[mesh_.facets[facet].corner[i]];
+                NodeSum& corner = sum_[mesh_.facets[facet].corner[i]];
                 corner.force += (sign * share[i]) * touch.force;
                 corner.stiffness += share[i] * touch.stiffness;
             }
@@ -394,46 +421,44 @@ void SurfaceContact::sum_up_facing()
     }
 }
 
-/// Forces to the State; work over the last step, half with the forces at n and half with those at n-1; and
-/// the stable step by Gershgorin's bound of the largest frequency of the contact springs on the nodes'
-/// masses: omega^2 is at most the largest 2 K_i / m_i, where K_i sums the stiffness with which touches hang
-/// on node i.
+/// Forces to the State; the first half of their work, over the last step (the second: move_on); and the
+/// stable step by Gershgorin's bound of the largest frequency of the contact springs on the nodes' masses:
+/// omega^2 is at most the largest 2 K_i / m_i, where K_i sums the stiffness with which touches hang on node
+/// i.
 void SurfaceContact::add_to(const Clock& clock, State& state)
 {
-    struct Partial {
-        double slave = 0, master = 0, largest = 0;
+    struct Stiffest {
+        double stiffness = 0, mass = 1;
         Index at = none;
     };
-    const std::size_t count = sum_now_.size();
-    std::vector<Partial> partial((count + chunk_length - 1) / chunk_length);
+    const std::size_t count = sum_.size(), chunks = (count + chunk_length - 1) / chunk_length;
+    std::vector<Stiffest> stiffest(chunks);
+    std::vector<double> slave(chunks), master(chunks);
     for_chunks(count, [&](std::size_t begin, std::size_t end) {
-        Partial part;
+        Stiffest most;
+        const Vec3* velocity = motion_.velocity.data();
+        double power[2] = {};
         for (std::size_t i = begin; i < end; ++i) {
-            const NodeSum& sum = sum_now_[i];
-            const double power = dot(sum.force + sum_before_[i].force, motion_.velocity[i]);
-            sum_before_[i] = NodeSum{};
-            (mesh_.nodes[i].sides & slave_bit ? part.slave : part.master) -= power;
+            const NodeSum& sum = sum_[i];
             if (sum.stiffness == 0 && dot(sum.force, sum.force) == 0) continue;
-            state.force[mesh_.nodes[i].node] += sum.force;
-            const Index own = mesh_.nodes[i].part;
-            if (own != none && rigid_[own].rigid) continue; // votes with its body
-            const double frequency = mass_[i] > 0 ? sum.stiffness / mass_[i] : 0;
-            if (frequency > part.largest) {
-                part.largest = frequency;
-                part.at = static_cast<Index>(i);
-            }
+            power[kind_[i] & slave_node] += dot(sum.force, velocity[i]);
+            state.force[mesh_.state_node(i)] += sum.force;
+            if (kind_[i] & rigid_node) continue; // votes with its body
+            if (sum.stiffness * most.mass > most.stiffness * mass_[i] && mass_[i] > 0)
+                most = {sum.stiffness, mass_[i], static_cast<Index>(i)};
         }
-        partial[begin / chunk_length] = part;
+        stiffest[begin / chunk_length] = most;
+        slave[begin / chunk_length] = power[1];
+        master[begin / chunk_length] = power[0];
     });
-    Partial whole;
-    for (const Partial& part : partial) {
-        energy_.slave += 0.5 * clock.last_step * part.slave;
-        energy_.master += 0.5 * clock.last_step * part.master;
-        if (part.largest > whole.largest) whole = part;
-    }
+    take_work(clock, slave, master);
+    summed_ = true;
+    Stiffest whole;
+    for (const Stiffest& one : stiffest)
+        if (one.stiffness * whole.mass > whole.stiffness * one.mass) whole = one;
     add_rigid_votes();
     if (whole.at == none) return;
-    const double step = 2 / std::sqrt(2 * whole.largest);
+    const double step = 2 / std::sqrt(2 * whole.stiffness / whole.mass);
     if (step > vote_.step) return;
     const ContactMesh::Node& node = mesh_.nodes[whole.at];
     vote_ = {step, "contact at node", model_.nodes.id[node.node], 0};
@@ -450,10 +475,8 @@ void SurfaceContact::add_rigid_votes()
         any = any || (part.rigid && part.mass > 0);
     }
     if (!any) return;
-    for (std::size_t i = 0; i < sum_now_.size(); ++i) {
-        const Index part = mesh_.nodes[i].part;
-        if (part != none && rigid_[part].rigid) rigid_[part].stiffness += sum_now_[i].stiffness;
-    }
+    for (std::size_t i = 0; i < sum_.size(); ++i)
+        if (kind_[i] & rigid_node) rigid_[mesh_.nodes[i].part].stiffness += sum_[i].stiffness;
     for (std::size_t part = 0; part < rigid_.size(); ++part) {
         if (!(rigid_[part].stiffness > 0) || !(rigid_[part].mass > 0)) continue;
         const double step = 2 / std::sqrt(4 * rigid_[part].stiffness / rigid_[part].mass);
@@ -471,7 +494,7 @@ std::vector<std::string> SurfaceContact::notices(const State& state) const
 void SurfaceContact::serialise(Archive& archive)
 {
     if (facing_) facing_->serialise(archive);
-    archive(mass_, weighty_, motion_.travelled, sum_now_, deletions_seen_, soft_step_, energy_, stuck_,
+    archive(mass_, weighty_, motion_.travelled, sum_, summed_, deletions_seen_, soft_step_, energy_, stuck_,
             touching_now_);
     search_.serialise(archive);
     if (archive.loading() && ties_ && !number_.empty())

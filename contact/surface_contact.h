@@ -58,6 +58,7 @@ private:
         Vec3 force{};
         double stiffness = 0; ///< of the springs that hang on the node [force/length]
     };
+    enum NodeKind : std::uint8_t { slave_node = 1, rigid_node = 2 };
     /// A rigid part by its nodes in this contact.
     struct RigidPart {
         bool rigid = false;
@@ -71,12 +72,16 @@ private:
             Four force[lane_count];
             Index node[lane_count];
             unsigned lanes; ///< those that count, a bit each
+
+            OnNodes() {} // all is set by the one who adds it
         };
         struct OnFacets {
             Four force[lane_count];
             Lanes share[4];
             Index corner[4][lane_count];
             unsigned lanes;
+
+            OnFacets() {}
         };
         std::vector<OnNodes> on_nodes;
         std::vector<OnFacets> on_facets;
@@ -106,15 +111,15 @@ private:
     std::vector<double> mass_;   ///< of the mesh's nodes [mass]
     std::vector<Friction> frictions_; ///< by part, and one more for nodes and facets without a part
     TouchTable table_;
-    std::size_t touching_now_ = 0, touching_before_ = 0; ///< touches of this and the last cycle
+    std::size_t touching_now_ = 0; ///< touches of this cycle
     long searches_seen_ = 0;
-    /// By mesh node; those of the last cycle are zero again once they have been used.
-    std::vector<NodeSum> sum_now_, sum_before_;
+    std::vector<NodeSum> sum_;       ///< by mesh node, of this cycle
+    bool summed_ = false;            ///< sum_ is not zero everywhere
+    std::vector<std::uint8_t> kind_; ///< by mesh node: bits of NodeKind
     long deletions_seen_ = 0;
     bool restarted_ = false; ///< the mesh does not know yet what erosion had taken before the restart
     double soft_step_ = 0;   ///< longest step so far [time]
     bool soft_changed_ = false;
-    bool facing_pressed_ = false; ///< segments pressed on segments in the last cycle
     Energy energy_;
     StepVote vote_;
     std::vector<RigidPart> rigid_; ///< by part of the Model
@@ -131,11 +136,7 @@ private:
     {
         return clock.time >= contact_.birth && clock.time <= contact_.death;
     }
-    bool nothing_touches() const
-    {
-        return touching_now_ + touching_before_ == 0 && !facing_pressed_ &&
-               (!facing_ || facing_->touches().empty());
-    }
+    bool nothing_touches() const { return touching_now_ == 0 && (!facing_ || facing_->touches().empty()); }
     std::array<double, 4> shares(const Touch& touch) const;
     void make_facing();
     void rest();
@@ -176,6 +177,8 @@ private:
     NodeLoads node_loads() const;
     void add_pressures(std::vector<double>& pressure) const;
     void add_faces(std::vector<ElementResults::ContactFace>& faces) const;
+    void move_on(const Clock& clock, const State& state);
+    void take_work(const Clock& clock, std::span<const double> slave, std::span<const double> master);
     void add_to(const Clock& clock, State& state);
 };
 

@@ -11,7 +11,7 @@ namespace plash {
 
 namespace {
 
-using Facet = ContactMesh::Facet;
+using Face = ContactMesh::Face;
 
 /// One value for each of eight touches, filled one by one and then taken as lanes.
 struct alignas(sizeof(Lanes)) LaneValues {
@@ -61,7 +61,7 @@ struct SurfaceContact::FacetLanes {
         const int spare = std::countr_zero(active);
         for (int lane = 0; lane < lane_count; ++lane) {
             facet[lane] = number[active >> lane & 1 ? lane : spare];
-            const Facet& one = mesh.facets[facet[lane]];
+            const Face& one = mesh.faces[facet[lane]];
             for (int i = 0; i < 4; ++i) corner[i][lane] = one.corner[i];
             thickness.value[lane] = one.half_thickness;
             reach.value[lane] = one.depth;
@@ -100,17 +100,16 @@ struct SurfaceContact::FrictionLanes {
 
 SurfaceContact::FrictionLanes SurfaceContact::friction_lanes(const Index* node, const Index* facet) const
 {
-    LaneValues at_rest, moving, decay, cap;
+    LaneValues at_rest, moving, decay, stress;
     FrictionLanes lanes;
     const bool common = contact_.static_friction != -1;
     for (int lane = 0; lane < (common ? 1 : lane_count); ++lane) {
         Friction mixed;
         const Friction& one = friction_of(node[lane], facet[lane], mixed);
-        const double size = mesh_.facets[facet[lane]].size;
         at_rest.value[lane] = one.at_rest;
         moving.value[lane] = one.moving;
         decay.value[lane] = one.any() ? one.decay : 0;
-        cap.value[lane] = one.shear_cap > 0 ? one.shear_cap * size * size : 1e300;
+        stress.value[lane] = one.shear_cap;
         lanes.decays = lanes.decays || decay.value[lane] != 0;
         lanes.capped = lanes.capped || one.shear_cap > 0;
     }
@@ -118,16 +117,20 @@ SurfaceContact::FrictionLanes SurfaceContact::friction_lanes(const Index* node, 
         lanes.at_rest = broadcast<Lanes>(at_rest.value[0]);
         lanes.moving = broadcast<Lanes>(moving.value[0]);
         lanes.decay = broadcast<Lanes>(decay.value[0]);
-        for (int lane = 1; lanes.capped && lane < lane_count; ++lane) {
-            const double size = mesh_.facets[facet[lane]].size;
-            cap.value[lane] = frictions_.front().shear_cap * size * size;
-        }
+        std::fill_n(stress.value, lane_count, stress.value[0]);
     } else {
         lanes.at_rest = at_rest.lanes();
         lanes.moving = moving.lanes();
         lanes.decay = decay.lanes();
     }
-    if (lanes.capped) lanes.cap = cap.lanes();
+    if (!lanes.capped) return lanes;
+    // The record of the facet is read only here: nothing else of the law needs it.
+    LaneValues cap;
+    for (int lane = 0; lane < lane_count; ++lane) {
+        const double size = mesh_.facets[facet[lane]].size;
+        cap.value[lane] = stress.value[lane] > 0 ? stress.value[lane] * size * size : 1e300;
+    }
+    lanes.cap = cap.lanes();
     return lanes;
 }
 
@@ -136,8 +139,8 @@ SurfaceContact::FrictionLanes SurfaceContact::friction_lanes(const Index* node, 
 void SurfaceContact::set_stiffness(int layer, std::size_t owner, unsigned active, const Index* facet,
                                    const Vector3<Lanes>& normal)
 {
-    double* stiffness = table_.row(TouchTable::stiffness, layer) + owner;
-    double* weight = table_.row(TouchTable::weight, layer) + owner;
+    double* stiffness = table_.line(TouchTable::stiffness, layer, owner);
+    double* weight = table_.line(TouchTable::weight, layer, owner);
     for (; active != 0; active &= active - 1) {
         const int lane = std::countr_zero(active);
         const Index node = table_.node(owner + lane);
@@ -154,18 +157,22 @@ void SurfaceContact::set_stiffness(int layer, std::size_t owner, unsigned active
 void SurfaceContact::press(std::size_t begin, std::size_t end, Pressed& pressed)
 {
     pressed.clear();
-    constexpr std::size_t facets_ahead = 6 * lane_count, corners_ahead = 3 * lane_count;
+    constexpr std::size_t faces_ahead = 6 * lane_count, corners_ahead = 3 * lane_count;
+    const Vec3* place = motion_.position.data();
+    const Vec3* velocity = motion_.velocity.data();
     for (std::size_t owner = begin; owner < end; owner += lane_count) {
-        if (owner + facets_ahead < end)
-            for (std::size_t i = owner + facets_ahead; i < owner + facets_ahead + lane_count; ++i)
-                __builtin_prefetch(&mesh_.facets[table_.facets(0)[i]]);
+        if (owner + faces_ahead < end)
+            for (std::size_t i = owner + faces_ahead; i < owner + faces_ahead + lane_count; ++i)
+                __builtin_prefetch(&mesh_.faces[table_.facets(0)[i]]);
         if (owner + corners_ahead < end) {
-            for (std::size_t i = owner + corners_ahead; i < owner + corners_ahead + lane_count; ++i) {
-                const auto& corner = mesh_.facets[table_.facets(0)[i]].corner;
-                __builtin_prefetch(&motion_.position[corner[0]]);
-                __builtin_prefetch(&motion_.velocity[corner[0]]);
-                __builtin_prefetch(&motion_.position[corner[2]]);
-                __builtin_prefetch(&motion_.velocity[corner[2]]);
+            table_.prefetch(0, owner + corners_ahead);
+            // Those of the facet beside it lie in the same lines more often than not.
+            for (std::size_t i = owner + corners_ahead; i < owner + corners_ahead + lane_count; i += 2) {
+                const auto& corner = mesh_.faces[table_.facets(0)[i]].corner;
+                __builtin_prefetch(&place[corner[0]]);
+                __builtin_prefetch(&velocity[corner[0]]);
+                __builtin_prefetch(&place[corner[2]]);
+                __builtin_prefetch(&velocity[corner[2]]);
             }
         }
         std::uint64_t any = 0;
@@ -183,7 +190,7 @@ void SurfaceContact::press_batch(std::size_t owner, std::size_t lanes, Pressed& 
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
         const std::size_t one = owner + std::min(lane, lanes - 1);
         nodes.node[lane] = table_.node(one);
-        thickness.value[lane] = mesh_.nodes[nodes.node[lane]].half_thickness;
+        thickness.value[lane] = mesh_.half_thickness[nodes.node[lane]];
         if (lane >= lanes) continue;
         followed |= static_cast<unsigned>(table_.followed(one)) << lane;
         for (int layer = 0; layer < table_.count(one); ++layer) in_layer[layer] |= 1u << lane;
@@ -215,8 +222,8 @@ void SurfaceContact::press_batch(std::size_t owner, std::size_t lanes, Pressed& 
 /// Returns which of these have ended.
 unsigned SurfaceContact::place_touches(const NodeBatch& nodes, const FacetLanes& facets, TouchBatch& touches)
 {
-    const auto row = [&](TouchTable::Field field) { return table_.row(field, touches.layer) + nodes.owner; };
-    const auto get = [&](TouchTable::Field field) { return load<Lanes>(row(field)); };
+    const auto line = [&](TouchTable::Field field) { return table_.line(field, touches.layer, nodes.owner); };
+    const auto get = [&](TouchTable::Field field) { return load<Lanes>(line(field)); };
     const LaneMask following = nodes.following;
     Lanes baseline = get(TouchTable::baseline);
     touches.s = get(TouchTable::at_s);
@@ -235,11 +242,12 @@ unsigned SurfaceContact::place_touches(const NodeBatch& nodes, const FacetLanes&
         touches.over &= ~lost;
         touches.s = following ? foot.s : touches.s;
         touches.t = following ? foot.t : touches.t;
-        baseline = following ? min(baseline, depth) : baseline;
+        const LaneMask shallower = following & (depth < baseline);
+        baseline = shallower ? depth : baseline;
         touches.active = depth - baseline;
-        store(row(TouchTable::at_s), touches.s);
-        store(row(TouchTable::at_t), touches.t);
-        store(row(TouchTable::baseline), baseline);
+        store(line(TouchTable::at_s), touches.s);
+        store(line(TouchTable::at_t), touches.t);
+        if (bits_of(shallower) != 0) store(line(TouchTable::baseline), baseline);
     }
     if (touches.followed != touches.lanes) {
         const Vector3<Lanes> given{get(TouchTable::normal_x), get(TouchTable::normal_y),
@@ -254,8 +262,8 @@ unsigned SurfaceContact::place_touches(const NodeBatch& nodes, const FacetLanes&
 void SurfaceContact::press_touches(const NodeBatch& nodes, const FacetLanes& facets,
                                    const TouchBatch& touches, Pressed& pressed)
 {
-    const auto row = [&](TouchTable::Field field) { return table_.row(field, touches.layer) + nodes.owner; };
-    const auto get = [&](TouchTable::Field field) { return load<Lanes>(row(field)); };
+    const auto line = [&](TouchTable::Field field) { return table_.line(field, touches.layer, nodes.owner); };
+    const auto get = [&](TouchTable::Field field) { return load<Lanes>(line(field)); };
     const Lanes zero{};
     const Vector3<Lanes>& normal = touches.normal;
     const auto share = shares_in_lanes(touches.s, touches.t, facets.triangle);
@@ -276,7 +284,7 @@ void SurfaceContact::press_touches(const NodeBatch& nodes, const FacetLanes& fac
         const auto slip = broadcast<Lanes>(motion_.last_step) * (velocity + closing * normal);
         whole += rubbed(nodes, facets, touches, slip, stiffness, force, pressed.friction);
     }
-    store(row(TouchTable::pressing), force);
+    store(line(TouchTable::pressing), force);
     // Every node is on the list once; the forces of its second and third touch are added to it there.
     if (touches.layer == 0) {
         Pressed::OnNodes& on_nodes = pressed.on_nodes.emplace_back();
@@ -322,12 +330,12 @@ Vector3<Lanes> SurfaceContact::rubbed(const NodeBatch& nodes, const FacetLanes& 
                                       const TouchBatch& touches, const Vector3<Lanes>& slip,
                                       const Lanes& stiffness, const Lanes& force, double& loss)
 {
-    const auto row = [&](TouchTable::Field field) { return table_.row(field, touches.layer) + nodes.owner; };
+    const auto line = [&](TouchTable::Field field) { return table_.line(field, touches.layer, nodes.owner); };
     const Lanes zero{};
     const FrictionLanes law = friction_lanes(nodes.node, facets.facet);
-    const Vector3<Lanes> before{load<Lanes>(row(TouchTable::friction_x)),
-                                load<Lanes>(row(TouchTable::friction_y)),
-                                load<Lanes>(row(TouchTable::friction_z))};
+    const Vector3<Lanes> before{load<Lanes>(line(TouchTable::friction_x)),
+                                load<Lanes>(line(TouchTable::friction_y)),
+                                load<Lanes>(line(TouchTable::friction_z))};
     Lanes coefficient = law.at_rest;
     if (law.decays && motion_.last_step > 0) {
         const Lanes speed = (1 / motion_.last_step) * sqrt(dot(slip, slip));
@@ -341,9 +349,9 @@ Vector3<Lanes> SurfaceContact::rubbed(const NodeBatch& nodes, const FacetLanes& 
         choose(rubs, friction_force(before, touches.normal, slip, stiffness, limit), Vector3<Lanes>{});
     const Lanes lost = touches.over ? -0.5 * dot(before + friction, slip) : zero;
     for (int lane = 0; lane < lane_count; ++lane) loss += lost[lane];
-    store(row(TouchTable::friction_x), friction.x);
-    store(row(TouchTable::friction_y), friction.y);
-    store(row(TouchTable::friction_z), friction.z);
+    store(line(TouchTable::friction_x), friction.x);
+    store(line(TouchTable::friction_y), friction.y);
+    store(line(TouchTable::friction_z), friction.z);
     return friction;
 }
 
@@ -360,9 +368,9 @@ void SurfaceContact::sum_up(const Pressed& pressed)
 {
     const auto add = [&](Index node, const Four& more) {
         Four sum;
-        std::memcpy(&sum, &sum_now_[node], sizeof sum);
+        std::memcpy(&sum, &sum_[node], sizeof sum);
         sum += more;
-        std::memcpy(static_cast<void*>(&sum_now_[node]), &sum, sizeof sum);
+        std::memcpy(static_cast<void*>(&sum_[node]), &sum, sizeof sum);
     };
     for (const Pressed::OnNodes& batch : pressed.on_nodes)
         for (unsigned left = batch.lanes; left != 0; left &= left - 1) {

@@ -44,8 +44,8 @@ void SurfaceContact::collect(const State& state, ElementResults& results) const
         if (!results.contact_force.empty()) ties_->collect_nodes(results.contact_force);
     }
     if (!results.contact_force.empty() && !nothing_touches()) {
-        for (std::size_t i = 0; i < sum_now_.size(); ++i) {
-            results.contact_force[mesh_.nodes[i].node] += sum_now_[i].force;
+        for (std::size_t i = 0; i < sum_.size(); ++i) {
+            results.contact_force[mesh_.nodes[i].node] += sum_[i].force;
         }
     }
     if (!results.contact_pressure.empty() && !nothing_touches()) add_pressures(results.contact_pressure);
@@ -100,10 +100,11 @@ SurfaceContact::NodeLoads SurfaceContact::node_loads() const
             put(mesh_.facets[touch.second].corner[i], touch.on_second[i], force, -touch.friction);
         }
     }
+    const std::vector<Vec3> position(motion_.position.begin(), motion_.position.end());
     for (const ContactMesh::Facet& facet : mesh_.facets) {
         if (!facet.exposed) continue;
         const int corners = facet.triangle() ? 3 : 4;
-        const double share = segment_area(facet.corner, motion_.position) / corners;
+        const double share = segment_area(facet.corner, position) / corners;
         for (int i = 0; i < corners; ++i) loads.area[facet.corner[i]] += share;
     }
     return loads;

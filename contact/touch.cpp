@@ -92,7 +92,7 @@ void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, Touc
         if (!moved) pairs.quiet[owner] = quiet_until(pairs, owner, near.subspan(i, next - i), touches);
         for (std::size_t layer = 0; pairs.quiet[owner] > now && layer < touches.size(); ++layer) {
             const double along = dot(facet_normal(touches[layer].facet), touches[layer].normal);
-            table.row(TouchTable::side, static_cast<int>(layer))[owner] = along < 0 ? -1 : 1;
+            table.value(TouchTable::side, static_cast<int>(layer), owner) = along < 0 ? -1 : 1;
         }
         i = next;
     }

@@ -11,31 +11,40 @@ namespace {
 /// facet's sides it goes on in the facet's plane meanwhile, as LS-DYNA's MAXPAR = 1.025 lets it.
 constexpr double free_path = 0.025;
 
+/// Share of the contact thickness by which a node may slide over the free side of a sheet until then: the
+/// round rim, whose distance grows with the square of that path, would let it go by less than a
+/// five-thousandth of the thickness meanwhile.
+constexpr double rim_path = 0.02;
+
 /// Cosine of the angle up to which facets that meet at an edge count as one plane.
 constexpr double nearly_flat = 0.99;
 
 } // namespace
 
-/// Whether a facet has neighbours on all sides, nearly in its plane.
+/// Whether the facets around a facet lie nearly in its plane.
 bool TouchFinder::flat_around(Index facet) const
 {
     const Vec3 own = facet_normal(facet);
     const int corners = mesh_.facets[facet].triangle() ? 3 : 4;
     for (int i = 0; i < corners; ++i) {
-        const auto around = mesh_.facets_at_node(mesh_.facets[facet].corner[i]);
-        if (mesh_.on_rim[mesh_.facets[facet].corner[i]]) return false;
-        for (Index other : around)
+        for (Index other : mesh_.facets_at_node(mesh_.facets[facet].corner[i]))
             if (std::abs(dot(facet_normal(other), own)) < nearly_flat) return false;
     }
     return true;
 }
 
-/// Path that the node may go without leaving the facet, or its plane.
+/// Path that the node may go without leaving the facet, its plane, or the free side of its sheet by much.
 double TouchFinder::room_of(const Touch& touch, int feature) const
 {
     const auto& facet = mesh_.facets[touch.facet];
-    if (flat_around(touch.facet) && std::abs(dot(facet_normal(touch.facet), touch.normal)) > 0.999)
-        return free_path * facet.size;
+    const bool rim = std::any_of(facet.corner.begin(), facet.corner.end(),
+                                 [&](Index corner) { return mesh_.on_rim[corner] != 0; });
+    const bool round = !square_edges_ && !facet.one_sided;
+    if ((!rim || round) && std::abs(dot(facet_normal(touch.facet), touch.normal)) > 0.999 &&
+        flat_around(touch.facet)) {
+        const double gap = mesh_.half_thickness[touch.node] + facet.half_thickness;
+        return rim ? std::min(free_path * facet.size, rim_path * gap) : free_path * facet.size;
+    }
     if (feature != 0) return 0;
     const double inside = facet.triangle() ? std::min({touch.s, touch.t, 1 - touch.s - touch.t})
                                            : std::min({touch.s, 1 - touch.s, touch.t, 1 - touch.t});

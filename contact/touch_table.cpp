@@ -1,7 +1,6 @@
 #include "contact/touch_table.h"
 
 #include "contact/closest_point.h"
-#include "math/lanes.h"
 
 namespace plash {
 
@@ -24,8 +23,7 @@ void TouchTable::copy(const TouchTable& from, std::size_t source, int source_lay
 {
     facet_[layer * stride_ + to] = from.facet_[source_layer * from.stride_ + source];
     for (std::size_t field = 0; field < fields_; ++field)
-        values_[(layer * fields_ + field) * stride_ + to] =
-            from.values_[(source_layer * fields_ + field) * from.stride_ + source];
+        values_[place(field, layer, to)] = from.values_[from.place(field, source_layer, source)];
 }
 
 void TouchTable::set_owners(std::span<const Index> owner)
@@ -52,7 +50,7 @@ void TouchTable::set_owners(std::span<const Index> owner)
 Touch TouchTable::touch(const ContactMesh& mesh, const ContactMotion& motion, std::size_t owner,
                         int layer) const
 {
-    const auto value = [&](Field field) { return row(field, layer)[owner]; };
+    const auto value = [&](Field field) { return values_[place(field, layer, owner)]; };
     Touch touch;
     touch.node = owner_[owner];
     touch.facet = facets(layer)[owner];
@@ -86,7 +84,7 @@ void TouchTable::put(std::size_t owner, std::span<const Touch> touches)
     for (std::size_t number = 0; number < touches.size(); ++number) {
         const Touch& touch = touches[number];
         const int layer = static_cast<int>(number);
-        const auto set = [&](Field field, double value) { row(field, layer)[owner] = value; };
+        const auto set = [&](Field field, double number) { value(field, layer, owner) = number; };
         facet_[layer * stride_ + owner] = touch.facet;
         set(at_s, touch.s);
         set(at_t, touch.t);

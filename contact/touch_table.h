@@ -2,6 +2,7 @@
 
 #include "contact/mesh_motion.h"
 #include "core/archive.h"
+#include "math/lanes.h"
 
 #include <span>
 
@@ -37,9 +38,10 @@ struct TouchList {
     std::size_t size() const { return all.size(); }
 };
 
-/// Touches from cycle to cycle, in rows: those of one node (an owner, see PairList) stand in up to three
-/// layers below one another, each number of a touch in a row of its own, so that eight nodes are worked
-/// through at once and a touch costs the memory of what it remembers.
+/// Touches from cycle to cycle: those of one node (an owner, see PairList) stand in up to three layers.
+/// Within a layer, eight owners make a block with a line of eight values for each number that a touch
+/// remembers, so that eight nodes are worked through at once, their numbers are beside one another in memory
+/// (a stream, and one page for a touch that is looked at alone), and lines that are not needed cost nothing.
 ///
 /// A touch that is followed keeps its facet and the side of it on which its node is: its normal and
 /// penetration are found anew from the places of the nodes and are not kept.
@@ -47,18 +49,18 @@ class TouchTable {
 public:
     static constexpr int layers = 3; ///< touches that a node can have
     enum Field {
-        at_s,
-        at_t,
-        normal_x,
+        normal_x, ///< normal and penetration: of touches that are not followed only
         normal_y,
         normal_z,
         penetration,
+        side, ///< +1, -1: the node is where the facet's normal points to, or behind; followed ones only
+        at_s,
+        at_t,
         baseline,
         rounding,
         stiffness,
-        side,     ///< +1, -1: the node is where the facet's normal points to, or behind; followed ones only
-        pressing, ///< normal force [force]
         weight,
+        pressing, ///< normal force [force]
         friction_x,
         friction_y,
         friction_z
@@ -81,10 +83,20 @@ public:
     void set_followed(std::size_t owner, bool followed) { followed_[owner] = followed; }
     bool with_friction() const { return fields_ > friction_x; }
 
-    /// Values of one field by owner, with room for whole batches of eight.
-    double* row(Field field, int layer) { return &values_[(layer * fields_ + field) * stride_]; }
-    const double* row(Field field, int layer) const { return &values_[(layer * fields_ + field) * stride_]; }
+    /// One field of eight owners from `owner` on, a multiple of eight.
+    double* line(Field field, int layer, std::size_t owner) { return &values_[place(field, layer, owner)]; }
+    double& value(Field field, int layer, std::size_t owner) { return values_[place(field, layer, owner)]; }
+    double value(Field field, int layer, std::size_t owner) const
+    {
+        return values_[place(field, layer, owner)];
+    }
     const Index* facets(int layer) const { return &facet_[layer * stride_]; }
+    /// Calls for the lines of eight owners that are followed.
+    void prefetch(int layer, std::size_t owner) const
+    {
+        const double* line = &values_[place(side, layer, owner)];
+        for (std::size_t i = side; i < fields_; ++i, line += lane_count) __builtin_prefetch(line);
+    }
 
     /// One touch as it stands; normal and penetration of a followed one by the places of the nodes now.
     Touch touch(const ContactMesh& mesh, const ContactMotion& motion, std::size_t owner, int layer) const;
@@ -107,6 +119,11 @@ private:
     std::vector<Index> facet_;
     std::vector<double> values_;
 
+    std::size_t place(std::size_t field, int layer, std::size_t owner) const
+    {
+        return (layer * stride_ + owner / lane_count * lane_count) * fields_ + field * lane_count +
+               owner % lane_count;
+    }
     void copy(const TouchTable& from, std::size_t source, int source_layer, std::size_t to, int layer);
 };
 

@@ -27,8 +27,9 @@ struct Scenery {
         SurfaceOptions options;
         mesh = make_contact_mesh(contact, make_surface(built.model, part_data(built.model), side, options),
                                  {}, built.model.nodes.position);
-        motion.velocity.resize(mesh.nodes.size());
-        for (const auto& node : mesh.nodes) motion.position.push_back(built.model.nodes.position[node.node]);
+        motion.velocity.own().resize(mesh.nodes.size());
+        for (const auto& node : mesh.nodes)
+            motion.position.own().push_back(built.model.nodes.position[node.node]);
     }
 
     std::vector<Touch> touches() const
@@ -104,12 +105,12 @@ TEST(ContactSearch, SearchesWhenNodesHaveMovedByTheMarginRelativeToOneAnother)
         return search.searches();
     };
     EXPECT_EQ(searched_after(0, 0), 1) << "nothing had been searched before";
-    for (Vec3& place : motion.position) place += {1000, 50, 3};
+    for (Vec3& place : motion.position.own()) place += {1000, 50, 3};
     EXPECT_EQ(searched_after(100, 0), 1) << "moving as a whole is not relative motion";
-    motion.position[5].y += 0.9 * search.margin();
+    motion.position.own()[5].y += 0.9 * search.margin();
     EXPECT_EQ(searched_after(0.9 * search.margin(), 0), 1);
     EXPECT_EQ(searched_after(0, 0.2 * search.margin()), 2) << "the next step may leave the margin";
-    motion.position[5].y += 1.1 * search.margin();
+    motion.position.own()[5].y += 1.1 * search.margin();
     EXPECT_EQ(searched_after(1.1 * search.margin(), 0), 3);
 }
 
@@ -173,7 +174,7 @@ TEST(ContactTouch, PenetrationFollowsTheDistanceAcrossARidge)
         for (double x = -2.5; x <= 2.5; x += 0.01) {
             // Height of 0.4 over the roof, measured along z; y not on a node line.
             const Vec3 place{x, 0.13, -slope * std::min(std::abs(x), 2.0) + 0.4};
-            scenery.motion.position[number] = place;
+            scenery.motion.position.own()[number] = place;
             double distance = 1e9;
             for (const auto& facet : scenery.mesh.facets) {
                 const auto& c = facet.corner;
@@ -228,7 +229,7 @@ TEST(ContactTouch, APlatePassedInOneStepIsNoticed)
                                    scenery.built.add_node({2, 1, 50}), scenery.built.add_node({1, 2, 50})});
     scenery.finish();
     for (std::size_t i = 0; i < scenery.mesh.nodes.size(); ++i) {
-        if (scenery.mesh.nodes[i].node == probe) scenery.motion.velocity[i] = {0, 0, -5};
+        if (scenery.mesh.nodes[i].node == probe) scenery.motion.velocity.own()[i] = {0, 0, -5};
     }
     scenery.motion.last_step = 0.1;
     scenery.motion.step_range = 0.5;

@@ -49,8 +49,9 @@ struct Couples {
         const Contact contact;
         mesh = make_contact_mesh(contact, make_surface(built.model, part_data(built.model), all, {}), {},
                                  built.model.nodes.position);
-        for (const auto& node : mesh.nodes) motion.position.push_back(built.model.nodes.position[node.node]);
-        motion.velocity.resize(mesh.nodes.size());
+        for (const auto& node : mesh.nodes)
+            motion.position.own().push_back(built.model.nodes.position[node.node]);
+        motion.velocity.own().resize(mesh.nodes.size());
         std::vector<Index> first(count, none);
         for (std::size_t facet = 0; facet < mesh.facets.size(); ++facet) {
             standing.push_back(std::exp(2 * unit(random)));
@@ -204,7 +205,7 @@ TEST(FacingTest, PairsDoNotTouchBeforeTheyAreDue)
 {
     Couples couples(2000);
     couples.left();
-    const std::vector<Vec3> start = couples.motion.position;
+    const std::vector<Vec3> start = couples.motion.position.own();
     std::mt19937 random(5);
     std::normal_distribution<double> any;
     int waiting = 0;
@@ -220,13 +221,13 @@ TEST(FacingTest, PairsDoNotTouchBeforeTheyAreDue)
                 for (const Index corner : couples.mesh.facets[facet].corner) {
                     const Vec3 wild{any(random), any(random), any(random)};
                     const Vec3 direct = (facet == pair.first ? 1.0 : -1.0) * way;
-                    couples.motion.position[corner] =
+                    couples.motion.position.own()[corner] =
                         start[corner] + (0.499 * pair.due) * unit(trial % 2 == 0 ? wild : direct);
                 }
             }
             EXPECT_FALSE(couples.touches(pair).any()) << pair.first;
         }
-        couples.motion.position = start;
+        couples.motion.position.own() = start;
     }
     EXPECT_GT(waiting, 500); // 529: shells have to be clear of one another by the same on both sides
 }

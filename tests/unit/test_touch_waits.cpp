@@ -26,11 +26,11 @@ struct Moved {
         const Contact contact;
         mesh = make_contact_mesh(contact, make_surface(built.model, part_data(built.model), side, {}), {},
                                  built.model.nodes.position);
-        motion.velocity.resize(mesh.nodes.size());
+        motion.velocity.own().resize(mesh.nodes.size());
         number.resize(built.model.nodes.size(), none);
         for (const auto& node : mesh.nodes) {
             number[node.node] = static_cast<Index>(motion.position.size());
-            motion.position.push_back(built.model.nodes.position[node.node]);
+            motion.position.own().push_back(built.model.nodes.position[node.node]);
         }
     }
 
@@ -40,7 +40,7 @@ struct Moved {
         Vec3 low = motion.velocity[0], high = low;
         for (std::size_t i = 0; i < motion.position.size(); ++i) {
             const Vec3& v = motion.velocity[i];
-            motion.position[i] += step * v;
+            motion.position.own()[i] += step * v;
             low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
             high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
         }
@@ -114,7 +114,7 @@ Moved heap(bool solids)
     moved.finish();
     for (std::size_t body = 0, node = 0; body < end.size(); ++body)
         for (; node < end[body]; ++node)
-            moved.motion.velocity[moved.number[node]] =
+            moved.motion.velocity.own()[moved.number[node]] =
                 drift[body] + cross(spin[body], moved.built.model.nodes.position[node]) +
                 0.2 * Vec3{jitter(random), jitter(random), jitter(random)};
     return moved;
