@@ -199,12 +199,14 @@ void FacingSegments::find_sharp_nodes(const ContactMotion& motion)
             sharp_[i] = sharp;
         }
     });
-    find_standing();
+    find_standing(motion);
 }
 
-/// Rings of facets between each facet and the next rim or sharp edge, four at most, times its size.
-void FacingSegments::find_standing()
+/// Rings of facets between each facet and the next rim or sharp edge, four at most, times its size, over how
+/// much it is bent against those around it; the fourth power of it.
+void FacingSegments::find_standing(const ContactMotion& motion)
 {
+    constexpr double even = 0.05; // angle below which a facet counts as flat
     constexpr int rings = 4;
     std::vector<int> ring(mesh_.nodes.size(), rings);
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -221,8 +223,19 @@ void FacingSegments::find_standing()
         }
     }
     standing_.resize(mesh_.facets.size());
+    std::vector<Vec3> normal;
     for (std::size_t i = 0; i < standing_.size(); ++i)
-        standing_[i] = (least(mesh_.facets[i]) + 0.25) * mesh_.facets[i].size;
+        normal.push_back(normal_of(motion, static_cast<Index>(i)));
+    for (std::size_t i = 0; i < standing_.size(); ++i) {
+        const double extent = (least(mesh_.facets[i]) + 0.25) * mesh_.facets[i].size;
+        const Vec3& own = normal[i];
+        double bend2 = 0; // square of the largest angle
+        for (const Index corner : mesh_.facets[i].corner)
+            for (const Index other : mesh_.facets_at_node(corner))
+                bend2 = std::max(bend2, 2 - 2 * std::abs(dot(own, normal[other])));
+        const double flat = extent * extent / (bend2 + even * even);
+        standing_[i] = flat * flat;
+    }
 }
 
 double FacingSegments::node_weight(const ContactMotion& motion, Index node, const Vec3& normal) const
@@ -376,6 +389,7 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, const Fa
     if (!touching(touch.penetration)) return false;
     const double distance = gap - touch.penetration;
     const double weight = facing_weight(std::abs(candidate.along));
+    const double first_standing = standing_[pair.first], second_standing = standing_[pair.second];
     touch.first = pair.first;
     touch.second = pair.second;
     touch.normal = normal;
@@ -404,9 +418,9 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, const Fa
     }
     // By the area that the facet had at the start: a face that is stretched or tilted under load is no
     // stiffer.
-    const double area = standing_[pair.first] > standing_[pair.second]
-                            ? b.size * b.size / overlap.second_area()
-                            : a.size * a.size / overlap.first_area();
+    const double share = second_standing / (first_standing + second_standing);
+    const double area = share * a.size * a.size / overlap.first_area() +
+                        (1 - share) * b.size * b.size / overlap.second_area();
     apply_law(motion, area * areal_stiffness(pair.first, pair.second, step), overlap, touch);
     return true;
 }

@@ -26,14 +26,13 @@ struct FacingTouch {
 
 /// Contact of segments with segments (SOFT = 2).
 ///
-/// Pairs of facets that face one another press where their projections along the normal n of one of them
-/// overlap (SegmentOverlap): of the one that is farther from a rim or a sharp edge, so that a corner that is
-/// pushed into a plate is pushed back along the plate's normal. The other one brings the area A, as it was at
-/// the start. Then the forces are the gradient of U = k / 2 integral of overlap^2 dA: dA does not change, the
-/// place on the plane of the first that lies under a point of the other may slide without a change of their
-/// distance, and so may the plane turn about it, since what lies between the two is along n. (A mean of both
-/// normals has neither property: rolling gained 1 to 4 % of the peak energy with it. The complete gradient
-/// for a mean has forces along rims, which a constant pressure must not have.)
+/// Pairs of facets that face one another press where their projections along a mean of their normals overlap
+/// (SegmentOverlap). The normal of the facet that is farther from a rim or a sharp edge, and flatter, counts
+/// more, with the fourth power of distance and flatness: a corner that is pushed into a plate is pushed back
+/// along the plate's normal; along its own faces' it would be driven sideways, and the forces would have no
+/// energy. Along the normal of one flat facet and over the area of the other they have a potential
+/// (docs/theory/contact.md); an arc that rolls over a plate gives back what it took. Between facets that are
+/// equally bent the mean of both is the better choice.
 ///
 /// Stiffness per area at the start, from LS-DYNA's formula for a pair (keyword manual, *CONTACT, optional
 /// card A: SLSFAC SFS m1 m2 / (m1 + m2) / (2 dt^2) with segment masses, those of a shell or of half a solid)
@@ -92,7 +91,7 @@ private:
     std::vector<Vec3> searched_at_;
     double test_due_ = 0;
     std::vector<std::uint8_t> sharp_;
-    /// By facet: how far it is from the next rim or sharp edge [length].
+    /// By facet: fourth power of how far it is from the next rim or sharp edge over its bend [length^4].
     std::vector<double> standing_;
     std::vector<FacingTouch> now_, before_; ///< in the order of pairs
     /// Touches of the last cycle by facet: those of f are of_facet_[facet_begin_[f]] ..
@@ -105,7 +104,7 @@ private:
     void search(const ContactMotion& motion);
     bool may_meet(Index a, Index b) const;
     void find_sharp_nodes(const ContactMotion& motion);
-    void find_standing();
+    void find_standing(const ContactMotion& motion);
     void index_touches();
     void find_chunk(const ContactMotion& motion, double step, std::size_t begin, std::size_t end);
     double areal_stiffness(Index a, Index b, double step) const;

@@ -182,16 +182,17 @@ void FacingTest::test_batch(std::vector<FacingPair>& pairs, std::span<const Faci
     const Lanes face_by = away / (2 * turn);
     const LaneMask turned_away = (both_sided & (along > zero)) | (~old & (cosine <= half));
 
-    const LaneMask own = row(first_standing) > row(second_standing);
+    const Lanes own = row(first_standing);
     const LaneVec normal =
-        choose(own, (along < zero ? -broadcast<Lanes>(1) : broadcast<Lanes>(1)) * a.normal, b.normal);
+        scaled_to_unit(row(second_standing) * b.normal + (along < zero ? -own : own) * a.normal);
     // A solid's facet is touched from its outside; which side of a shell it is does not follow from where the
     // two are now.
     const LaneMask from_below = a_sided & (dot(normal, a.normal) > zero);
     const Lanes over_by =
         clearance(at_a, at_b, normal, shells | from_below ? reach : gap, shells | ~from_below ? reach : gap);
     const Lanes aside = clearance_beside(at_a, at_b, normal);
-    const Lanes aside_by = aside / (1 + turn * reach);
+    // The mean of normals that meet at 60 degrees at most turns by 1 / cos 30 of their turn.
+    const Lanes aside_by = aside / (1 + 1.1548 * turn * reach);
     // A touch between shells stays on its side, and shells that nothing around has met on that on which they
     // were a step ago. This may change with what the neighbours meet: such a pair stays due.
     const Lanes range = broadcast<Lanes>(motion_.step_range), through = max(gap, range);

@@ -29,7 +29,7 @@ struct FacingCandidate {
     bool alone = false; ///< neither facet touched anything in the last cycle
     Index old = none;   ///< its place among the touches of the last cycle
     Vec3 old_normal{};  ///< of that touch: the side on which it is kept
-    Vec3 normal{};      ///< along which to project, that of one of the two facets on the second's side
+    Vec3 normal{};      ///< along which to project, on the side of the second facet's normal
     Vec3 first_normal{}, second_normal{};
     double along = 0; ///< cosine between the facets' normals
 };
@@ -42,13 +42,13 @@ struct FacingCandidate {
 /// - while their normals do not face one another. On a path p (of any two nodes relative to one another) the
 ///   normal of a facet with diagonals d1, d2 turns by at most (|d1| + |d2|) p / |d1 x d2|, to first order,
 ///   and by no more than twice as much while that stays below a quarter;
-/// - while their shadows along the normal of one are apart, or all of one lies too far over the other.
+/// - while their shadows along the mean of the normals are apart, or all of one lies too far over the other.
 ///   Points that touch lie over one another along a normal that turns with the facets. Between shells
 ///   `too far` is the same on both sides, as either may be the one that is kept, and only `gap` outward once
 ///   the side is known: from the pair's own touch, or because nothing around has met.
 class FacingTest {
 public:
-    /// standing  by facet: the normal of the one that has more is the direction of projection
+    /// standing  by facet: weight of its normal in the mean, which is the direction of projection
     FacingTest(const ContactMesh& mesh, const ContactMotion& motion, const std::vector<double>& standing)
         : mesh_(mesh), motion_(motion), standing_(standing)
     {}

@@ -156,8 +156,8 @@ TEST(SegmentEnergy, PressedAndSlidSheetsGiveBackWhatTheyTook)
     }
 }
 
-/// An arc that rolls under load. With a mean of both normals it made 1.2 % of the peak of the energy at an
-/// angle of 0.5 and 4.2 % at 1.6.
+/// An arc that rolls on a plate under load. Where the flat facet's normal did not count more than the bent
+/// one's it made 1.2 % of the peak of the energy at an angle of 0.5 and 4.2 % at 1.6.
 TEST(SegmentEnergy, RolledArcGivesBackWhatItTook)
 {
     for (const double angle : {0.5, 1.0, 1.6}) {

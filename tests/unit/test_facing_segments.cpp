@@ -85,8 +85,8 @@ struct Couples {
         const Vec3 to_a = normal_of(pair.first), to_b = normal_of(pair.second);
         const double along = dot(to_a, to_b);
         if (facing_weight(std::abs(along)) == 0) return {};
-        const bool own = standing[pair.first] > standing[pair.second];
-        const Vec3 normal = own ? (along < 0 ? -1.0 : 1.0) * to_a : to_b;
+        const double own = along < 0 ? -standing[pair.first] : standing[pair.first];
+        const Vec3 normal = unit(standing[pair.second] * to_b + own * to_a);
         const ContactMesh::Facet &first = mesh.facets[pair.first], &second = mesh.facets[pair.second];
         const double gap = within > 0 ? within : first.half_thickness + second.half_thickness;
         const double depth = std::max(first.depth, second.depth);
