@@ -409,7 +409,11 @@ void TouchFinder::inherit(const Near& near, std::span<const Touch> before, Touch
         nearest = &old;
     }
     if (nearest) {
-        touch.baseline = std::min(nearest->baseline, touch.penetration);
+        // On one surface a touch gets deeper by what the nodes move. What is more is another surface, which
+        // was held off by this touch so far: the node was that deep in it before.
+        const double explained = std::max(0.0, nearest->active_penetration()) + 2 * motion_.step_range;
+        touch.baseline =
+            std::max(std::min(nearest->baseline, touch.penetration), touch.penetration - explained);
         touch.rounding = nearest->rounding;
         touch.weight = nearest->weight;
         touch.friction = nearest->friction;

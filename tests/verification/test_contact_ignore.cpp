@@ -1,5 +1,6 @@
 #include "contact/move_penetrating.h"
 #include "contact/surface_contact.h"
+#include "tests/support/contact_model.h"
 #include "tests/support/deck_run.h"
 
 #include <gtest/gtest.h>
@@ -132,6 +133,55 @@ TEST(ContactIgnore, WhatWouldSpoilElementsStays)
         EXPECT_NEAR(model.nodes.position[node].z, deeper < 1 ? 2 : 1.8 - deeper, 1e-12);
         EXPECT_NEAR(model.nodes.position[node + 1].z, 2, 1e-12);
     }
+}
+
+/// A node lies on a sheet, but for round-off, over another one whose thickness reaches beyond the first. As
+/// it comes off the first it is found within the second: what it has there has been there before, and gives
+/// no force. (It was taken for the same touch gone deeper at once, and shot.)
+TEST(ContactIgnore, NodeThatComesOffASheetIsNotShotByTheOneBehind)
+{
+    testing::ContactModel mesh;
+    const Index thin = mesh.add_part(1.0, 210, 0.1), thick = mesh.add_part(1.0, 210, 0.7),
+                own = mesh.add_part(1.0, 210, 0.3);
+    mesh.add_sheet(thin, 3, 3, [](double u, double v) { return Vec3{3 * u, 3 * v, 0}; });
+    mesh.add_sheet(thick, 3, 3, [](double u, double v) { return Vec3{3 * u, 3 * v, -0.2}; });
+    const Index first = mesh.add_sheet(own, 1, 1, [](double u, double v) {
+        return Vec3{1.2 + 0.5 * u, 1.3 + 0.5 * v, 0.2 - 1e-12}; // 0.1 within the thick one
+    });
+    Contact contact;
+    contact.kind = Contact::Kind::one_way;
+    contact.slave.kind = contact.master.kind = ContactSide::Kind::parts;
+    contact.slave.parts = {own};
+    contact.master.parts = {thin, thick};
+    contact.limit_thickness = false;
+    mesh.model.contacts.push_back(contact);
+    State state = mesh.state();
+    SurfaceContact term(mesh.model.contacts[0], mesh.model, part_data(mesh.model));
+    Clock clock;
+    clock.step = clock.last_step = 0.01;
+    const auto force_after = [&](double rise) {
+        for (std::size_t i = first; i < state.size(); ++i) {
+            state.velocity[i].z = rise / clock.step;
+            state.position[i].z += rise;
+        }
+        clock.time += clock.step;
+        state.clear_forces();
+        term.add_forces(clock, state);
+        return state.force[first].z;
+    };
+    clock.last_step = 0;
+    EXPECT_EQ(force_after(0), 0);
+    clock.last_step = clock.step;
+    ASSERT_EQ(term.touches().size(), 4u);
+    EXPECT_LT(term.touches().all[0].penetration, 1e-11) << "the thin sheet is closest";
+    for (const double rise : {2e-12, 1e-12, 1e-6}) EXPECT_NEAR(force_after(rise), 0, 1e-9);
+    ASSERT_EQ(term.touches().size(), 4u);
+    EXPECT_NEAR(term.touches().all[0].penetration, 0.1, 1e-5) << "within the thick one";
+    // What it is pressed in from here on gives force: 0.01 in some ten steps.
+    double force = 0;
+    for (int cycle = 0; cycle < 10; ++cycle) force = force_after(-1e-7);
+    EXPECT_GT(force, 0);
+    EXPECT_NEAR(term.touches().all[0].active_penetration(), 1e-6, 1e-7);
 }
 
 } // namespace plash
