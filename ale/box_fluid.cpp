@@ -3,6 +3,7 @@
 #include "ale/grid_point.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plash {
 
@@ -192,6 +193,34 @@ std::array<Vec3, 3> BoxFluid::edges(const MeshPoint& point) const
 {
     return {Vec3{grid.width(0, point.cell[0]), 0, 0}, Vec3{0, grid.width(1, point.cell[1]), 0},
             Vec3{0, 0, grid.width(2, point.cell[2])}};
+}
+
+bool BoxFluid::dry_around(const Vec3& low, const Vec3& high, const std::array<int, 3>& guess,
+                          unsigned fluids) const
+{
+    const double from[3] = {low.x, low.y, low.z}, to[3] = {high.x, high.y, high.z};
+    int first[3], last[3];
+    double square = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::vector<double>& planes = grid.planes(axis);
+        first[axis] = interval_of(planes, from[axis], guess[axis]);
+        last[axis] = interval_of(planes, to[axis], guess[axis]);
+        double widest = 0;
+        for (int cell = first[axis]; cell <= last[axis]; ++cell)
+            widest = std::max(widest, grid.width(axis, cell));
+        square += widest * widest;
+    }
+    const double reach = 0.5 * std::sqrt(square); // half a diagonal of the largest cell
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::vector<double>& planes = grid.planes(axis);
+        while (first[axis] > 0 && planes[first[axis]] > from[axis] - reach) --first[axis];
+        while (last[axis] < grid.cells(axis) - 1 && planes[last[axis] + 1] < to[axis] + reach) ++last[axis];
+    }
+    for (int k = first[2]; k <= last[2]; ++k)
+        for (int j = first[1]; j <= last[1]; ++j)
+            for (int i = first[0] / lane_count * lane_count; i <= last[0]; i += lane_count)
+                if (!BoxContents::nothing(contents.near_cells(grid.at(i, j, k)) & fluids)) return false;
+    return true;
 }
 
 double BoxFluid::point_spacing(const Vec3&, const Vec3&) const

@@ -33,6 +33,8 @@ public:
     PlaceWeights node_weights(const MeshPoint& point) const override;
     PlaceWeights cell_weights(const MeshPoint& point) const override;
     std::array<Vec3, 3> edges(const MeshPoint& point) const override;
+    bool dry_around(const Vec3& low, const Vec3& high, const std::array<int, 3>& guess,
+                    unsigned fluids) const override;
     double point_spacing(const Vec3& a, const Vec3& b) const override;
 
     void serialise(Archive& archive) override;

@@ -117,6 +117,14 @@ public:
     virtual PlaceWeights cell_weights(const MeshPoint& point) const = 0;
     /// Edges of the point's cell along its three axes [length].
     virtual std::array<Vec3, 3> edges(const MeshPoint& point) const = 0;
+    /// Whether none of these fluids (bit g for fluid g) stands so near a box between two corners that a point
+    /// in it might meet them: within two cells of it and of what is half a cell away. False: not known.
+    /// guess  cell to look in first
+    virtual bool dry_around(const Vec3& /*low*/, const Vec3& /*high*/, const std::array<int, 3>& /*guess*/,
+                            unsigned /*fluids*/) const
+    {
+        return false;
+    }
     /// Largest distance of coupling points along the edge of a segment from `a` to `b` [length].
     virtual double point_spacing(const Vec3& a, const Vec3& b) const = 0;
 

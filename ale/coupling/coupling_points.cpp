@@ -31,6 +31,7 @@ CouplingPoints::CouplingPoints(Surface surface, int per_edge,
     : surface_(std::move(surface))
 {
     for (std::size_t segment = 0; segment < surface_.segments.size(); ++segment) {
+        first_.push_back(places_.size());
         const auto& nodes = surface_.segments[segment].nodes;
         const auto points_on = [&](int a, int b) {
             const Vec3 &from = position[nodes[a]], &to = position[nodes[b]];
@@ -43,6 +44,7 @@ CouplingPoints::CouplingPoints(Surface surface, int per_edge,
             for (int i = 0; i < along_s; ++i)
                 places_.push_back(place_in(segment, (i + 0.5) / along_s, (j + 0.5) / along_t, share));
     }
+    first_.push_back(places_.size());
 }
 
 CouplingPoints::Motion CouplingPoints::motion(std::size_t point, const State& state) const

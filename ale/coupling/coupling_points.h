@@ -38,16 +38,15 @@ public:
     {
         return surface_.segments[places_[point].segment].nodes;
     }
-    bool exposed(std::size_t point, const State& state) const
-    {
-        return is_exposed(surface_.segments[places_[point].segment], state);
-    }
+    /// The points of a segment: from its first to that of the next one.
+    std::size_t first_point(std::size_t segment) const { return first_[segment]; }
     Motion motion(std::size_t point, const State& state) const;
     const Surface& surface() const { return surface_; }
 
 private:
     Surface surface_;
     std::vector<Place> places_;
+    std::vector<std::size_t> first_; ///< point of each segment; one more entry for the end
 };
 
 } // namespace plash

@@ -51,7 +51,8 @@ void DryFaces::add_cell(const Fluid& fluid, const Point& point, unsigned fluids)
     if (entry_[place] != none) return;
     const double own = filled_share(fluid, place, fluids);
     if (!(own > 0)) return;
-    Cell cell{place, point.position, fluid.edges(point.place), {}, {}};
+    if (count_ == cells_.size()) cells_.emplace_back();
+    Cell& cell = cells_[count_];
     bool any_open = false;
     for (int face = 0; face < 6; ++face) {
         const std::ptrdiff_t beyond = fluid.cell_beyond(point.place, face / 2, face % 2);
@@ -59,9 +60,12 @@ void DryFaces::add_cell(const Fluid& fluid, const Point& point, unsigned fluids)
         any_open = any_open || cell.open[face];
     }
     if (!any_open) return;
+    cell.place = place;
+    cell.origin = point.position;
+    cell.edges = fluid.edges(point.place);
+    cell.near.clear();
     for (int axis = 0; axis < 3; ++axis) cell.origin -= point.place.part[axis] * cell.edges[axis];
-    entry_[place] = static_cast<Index>(cells_.size());
-    cells_.push_back(std::move(cell));
+    entry_[place] = static_cast<Index>(count_++);
 }
 
 void DryFaces::add_to(std::ptrdiff_t place, const Point& point)
@@ -79,20 +83,21 @@ void DryFaces::add_to(std::ptrdiff_t place, const Point& point)
 
 void DryFaces::find(Fluid& fluid, const std::vector<Point>& points, unsigned fluids)
 {
+    count_ = 0;
     for (const Point& point : points) add_cell(fluid, point, fluids);
-    if (cells_.empty()) return;
+    if (count_ == 0) return;
     for (const Point& point : points) {
         add_to(fluid.place_of(point.place), point);
         for (int face = 0; face < 6; ++face)
             add_to(fluid.cell_beyond(point.place, face / 2, face % 2), point);
     }
-    for (const Cell& cell : cells_) {
+    for (std::size_t number = 0; number < count_; ++number) {
+        const Cell& cell = cells_[number];
         entry_[cell.place] = none;
         for (int face = 0; face < 6; ++face)
             if (cell.open[face] && is_dry(cell.origin, cell.edges, face, cell.near))
                 fluid.dry_faces.push_back({cell.place, face / 2, face % 2, fluids});
     }
-    cells_.clear();
 }
 
 } // namespace plash

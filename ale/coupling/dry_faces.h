@@ -33,14 +33,15 @@ public:
 
 private:
     struct Cell {
-        std::ptrdiff_t place;
+        std::ptrdiff_t place = 0;
         Vec3 origin; ///< the corner where all its axes begin [length]
         std::array<Vec3, 3> edges;
-        std::array<bool, 6> open; ///< faces beyond which stands a cell that is emptier: 2 axis + side
+        std::array<bool, 6> open{}; ///< faces beyond which stands a cell that is emptier: 2 axis + side
         std::vector<const Point*> near;
     };
     std::vector<Index> entry_; ///< of each cell in cells_, by storage place
-    std::vector<Cell> cells_;
+    std::vector<Cell> cells_;  ///< the first count_ of them; the others keep their memory
+    std::size_t count_ = 0;
 
     void add_cell(const Fluid& fluid, const Point& point, unsigned fluids);
     void add_to(std::ptrdiff_t place, const Point& point);

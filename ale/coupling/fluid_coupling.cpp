@@ -55,6 +55,7 @@ FluidCoupling::FluidCoupling(const Model& model, CouplingOptions options, Surfac
       slip_(points_.size()),
       force_(points_.size()),
       cell_(points_.size()),
+      segment_near_(points_.surface().segments.size()),
       load_(fluid.fluid().fields.node_mass.size()),
       structure_load_(position.size()),
       dry_faces_(fluid.fluid()),
@@ -67,14 +68,11 @@ FluidCoupling::FluidCoupling(const Model& model, CouplingOptions options, Surfac
 
 /// Share of the coupled fluids half a cell before the surface: a surface that stands anywhere in its cell,
 /// with fluid up to it, sees the same.
-double FluidCoupling::fraction_before(const Vec3& position, const Touch& touch,
-                                      const std::array<int, 3>& cell) const
+double FluidCoupling::fraction_before(const Touch& touch) const
 {
     const Fluid& fluid = fluid_.fluid();
-    const MeshPoint own = fluid.locate(position, cell);
-    if (!own.inside) return 0;
-    const double reach = 0.5 * length_along(fluid.edges(own), touch.normal);
-    const MeshPoint before = fluid.locate(position + reach * touch.normal, own.cell);
+    const double reach = 0.5 * length_along(fluid.edges(touch.place), touch.normal);
+    const MeshPoint before = fluid.locate(touch.position + reach * touch.normal, touch.place.cell);
     if (!before.inside) return 0;
     const PlaceWeights around = fluid.cell_weights(before);
     double sum = 0;
@@ -99,11 +97,67 @@ double FluidCoupling::share_behind(const MeshPoint& at, const Vec3& normal) cons
     return std::max(filled - share_before_plane(fluid.edges(at), at.part, normal), 0.0);
 }
 
-void FluidCoupling::look(std::size_t point, const Clock& clock, const State& state)
+/// Whether fluid may stand at the points of a segment.
+bool FluidCoupling::is_near(std::size_t segment, const State& state) const
+{
+    if (!is_exposed(points_.surface().segments[segment], state)) return false;
+    const auto& nodes = points_.surface().segments[segment].nodes;
+    Vec3 low = state.position[nodes[0]], high = low;
+    for (const Index node : nodes) {
+        const Vec3& x = state.position[node];
+        low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+        high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+    }
+    return !fluid_.fluid().dry_around(low, high, cell_[points_.first_point(segment)], options_.fluids);
+}
+
+/// Lists the points at which fluid may stand; most points of most surfaces are far from any. What those that
+/// were near and are no longer knew is forgotten.
+void FluidCoupling::find_near(const Clock& clock, const State& state)
+{
+    for (const Index point : near_) touches_[point].active = touches_[point].place.inside = false;
+    near_.clear();
+    if (clock.time < options_.start || clock.time > options_.end) return;
+    const std::size_t segments = points_.surface().segments.size();
+    for_chunks(segments, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t segment = begin; segment < end; ++segment)
+            segment_near_[segment] = is_near(segment, state);
+    });
+    for (std::size_t segment = 0; segment < segments; ++segment) {
+        if (!segment_near_[segment]) continue;
+        for (std::size_t point = points_.first_point(segment); point < points_.first_point(segment + 1);
+             ++point)
+            near_.push_back(static_cast<Index>(point));
+    }
+}
+
+/// Lists the points that fluid stands before; the others have neither force nor memory.
+void FluidCoupling::list_active()
+{
+    for (const Index point : active_) {
+        if (touches_[point].active) continue;
+        penetration_[point] = 0;
+        slip_[point] = force_[point] = {};
+    }
+    active_.clear();
+    for (const Index point : near_)
+        if (touches_[point].active) active_.push_back(point);
+}
+
+void FluidCoupling::serialise(Archive& archive)
+{
+    archive(penetration_, slip_, force_, cell_, work_on_structure_);
+    if (!archive.loading()) return;
+    active_.clear();
+    for (std::size_t point = 0; point < points_.size(); ++point)
+        if (penetration_[point] != 0 || dot(slip_[point], slip_[point]) > 0 ||
+            dot(force_[point], force_[point]) > 0)
+            active_.push_back(static_cast<Index>(point));
+}
+
+void FluidCoupling::look(std::size_t point, const State& state)
 {
     Touch& touch = touches_[point];
-    touch.active = touch.place.inside = false;
-    if (clock.time < options_.start || clock.time > options_.end || !points_.exposed(point, state)) return;
     const CouplingPoints::Motion motion = points_.motion(point, state);
     touch.area = norm(motion.area);
     if (!(touch.area > 0)) return;
@@ -116,7 +170,7 @@ void FluidCoupling::look(std::size_t point, const Clock& clock, const State& sta
     // A point that holds fluid lets it go later than it took it: what has come through would be lost with the
     // spring, again and again where the fraction wavers.
     const double least = (penetration_[point] != 0 ? 0.5 : 1) * options_.least_fraction;
-    if (fraction_before(motion.position, touch, at.cell) < least) return;
+    if (fraction_before(touch) < least) return;
 
     touch.at = fluid.node_weights(at);
     double filled = 0, density = 0;
@@ -161,8 +215,8 @@ double FluidCoupling::needed_mass(const Touch& touch) const
 /// Adds up in load_ what the points want of the fluid's nodes.
 void FluidCoupling::add_loads()
 {
-    for (const Touch& touch : touches_) {
-        if (!touch.active) continue;
+    for (const Index point : active_) {
+        const Touch& touch = touches_[point];
         const double needed = needed_mass(touch);
         for (int corner = 0; corner < 8; ++corner)
             load_[touch.at.place[corner]] += touch.at.weight[corner] * needed;
@@ -171,10 +225,8 @@ void FluidCoupling::add_loads()
 
 void FluidCoupling::clear_loads()
 {
-    for (const Touch& touch : touches_) {
-        if (!touch.active) continue;
-        for (const std::ptrdiff_t place : touch.at.place) load_[place] = 0;
-    }
+    for (const Index point : active_)
+        for (const std::ptrdiff_t place : touches_[point].at.place) load_[place] = 0;
 }
 
 void FluidCoupling::limit_stiffness(const State& state)
@@ -187,15 +239,14 @@ void FluidCoupling::limit_stiffness(const State& state)
         }
     };
     add_loads();
-    for (std::size_t point = 0; point < touches_.size(); ++point) {
-        if (!touches_[point].active) continue;
+    for (const Index point : active_) {
         const double needed = needed_mass(touches_[point]);
         for_corners(point, [&](Index node, double weight) { structure_load_[node] += weight * needed; });
     }
-    for_chunks(touches_.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t point = begin; point < end; ++point) {
+    for_chunks(active_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t entry = begin; entry < end; ++entry) {
+            const Index point = active_[entry];
             Touch& touch = touches_[point];
-            if (!touch.active) continue;
             double share = 1;
             for (int corner = 0; corner < 8; ++corner) {
                 const std::ptrdiff_t place = touch.at.place[corner];
@@ -209,9 +260,8 @@ void FluidCoupling::limit_stiffness(const State& state)
         }
     });
     clear_loads();
-    for (std::size_t point = 0; point < touches_.size(); ++point)
-        if (touches_[point].active)
-            for_corners(point, [&](Index node, double) { structure_load_[node] = 0; });
+    for (const Index point : active_)
+        for_corners(point, [&](Index node, double) { structure_load_[node] = 0; });
 }
 
 /// Penetrations tend to what the volumes of the fluid say: in the time in which sound crosses 50 cells where
@@ -236,7 +286,6 @@ void FluidCoupling::correct_depth(double& depth, const Touch& touch, const Clock
 void FluidCoupling::stretch(std::size_t point, const Clock& clock)
 {
     Touch& touch = touches_[point];
-    if (!touch.active) return;
     const auto& v = fluid_.fluid().fields.velocity;
     touch.approach = touch.velocity;
     for (int corner = 0; corner < 8; ++corner) {
@@ -257,16 +306,16 @@ void FluidCoupling::stretch(std::size_t point, const Clock& clock)
 /// fluid pumps it through the surface.
 void FluidCoupling::separate()
 {
-    for (std::size_t point = 0; point < touches_.size(); ++point) {
+    for (const Index point : active_) {
         const Touch& touch = touches_[point];
-        if (!touch.active) continue;
         for (int corner = 0; corner < 8; ++corner)
             load_[touch.at.place[corner]] += touch.at.weight[corner] * touch.pressing;
     }
-    for_chunks(touches_.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t point = begin; point < end; ++point) {
+    for_chunks(active_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t entry = begin; entry < end; ++entry) {
+            const Index point = active_[entry];
             Touch& touch = touches_[point];
-            if (!touch.active || touch.pressing >= 0) continue;
+            if (touch.pressing >= 0) continue;
             double around = 0;
             for (int corner = 0; corner < 8; ++corner)
                 around += touch.at.weight[corner] * load_[touch.at.place[corner]];
@@ -281,11 +330,6 @@ void FluidCoupling::separate()
 void FluidCoupling::press(std::size_t point, const Clock& clock)
 {
     const Touch& touch = touches_[point];
-    if (!touch.active) {
-        penetration_[point] = 0;
-        slip_[point] = force_[point] = {};
-        return;
-    }
     const double pressing = touch.pressing;
     force_[point] = -pressing * touch.normal;
 
@@ -328,16 +372,21 @@ void FluidCoupling::find_dry_faces()
 {
     if (!fluid_.fluid().lagrange.void_allowed) return;
     present_.clear();
-    for (const Touch& touch : touches_)
-        if (touch.place.inside) present_.push_back({touch.place, touch.position, touch.normal});
+    asking_.clear();
+    for (const Index point : near_) {
+        const Touch& touch = touches_[point];
+        if (!touch.place.inside) continue;
+        if (touch.active) asking_.push_back(static_cast<Index>(present_.size()));
+        present_.push_back({touch.place, touch.position, touch.normal});
+    }
     dry_faces_.find(fluid_.fluid(), present_, options_.fluids);
-    interface_depth_.collect(fluid_.fluid(), present_);
+    interface_depth_.collect(fluid_.fluid(), present_, asking_, options_.fluids);
 }
 
 /// In the order of the points, so that sums are the same for any number of threads.
 void FluidCoupling::hand_out(const Clock&, State& state)
 {
-    for (std::size_t point = 0; point < points_.size(); ++point) {
+    for (const Index point : active_) {
         const Vec3& force = force_[point];
         if (force.x == 0 && force.y == 0 && force.z == 0) continue;
         for (int corner = 0; corner < 4; ++corner)
@@ -353,7 +402,8 @@ void FluidCoupling::add_forces(const Clock& clock, State& state)
     // Trapezoidal rule over the last step: the forces of both ends on the way between.
     const auto work_of = [&](std::size_t begin, std::size_t end) {
         double work = 0;
-        for (std::size_t point = begin; point < end; ++point) {
+        for (std::size_t entry = begin; entry < end; ++entry) {
+            const Index point = active_[entry];
             const Vec3& force = force_[point];
             for (int corner = 0; corner < 4; ++corner)
                 work +=
@@ -361,20 +411,22 @@ void FluidCoupling::add_forces(const Clock& clock, State& state)
         }
         return work;
     };
-    const double before = sum_chunks(points_.size(), work_of);
-    for_chunks(points_.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t point = begin; point < end; ++point) look(point, clock, state);
+    const double before = sum_chunks(active_.size(), work_of);
+    find_near(clock, state);
+    for_chunks(near_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t entry = begin; entry < end; ++entry) look(near_[entry], state);
     });
+    list_active();
     find_dry_faces();
     limit_stiffness(state);
-    for_chunks(points_.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t point = begin; point < end; ++point) stretch(point, clock);
+    for_chunks(active_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t entry = begin; entry < end; ++entry) stretch(active_[entry], clock);
     });
     if (options_.direction == Direction::compression) separate();
-    for_chunks(points_.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t point = begin; point < end; ++point) press(point, clock);
+    for_chunks(active_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t entry = begin; entry < end; ++entry) press(active_[entry], clock);
     });
-    work_on_structure_ += 0.5 * clock.last_step * (before + sum_chunks(points_.size(), work_of));
+    work_on_structure_ += 0.5 * clock.last_step * (before + sum_chunks(active_.size(), work_of));
     hand_out(clock, state);
 }
 
@@ -387,7 +439,7 @@ void FluidCoupling::collect(const State& state, ElementResults& results) const
 {
     if (options_.contact != 0) results.contacts.push_back(as_contact(state));
     if (results.coupling_force.empty()) return;
-    for (std::size_t point = 0; point < points_.size(); ++point)
+    for (const Index point : active_)
         for (int corner = 0; corner < 4; ++corner)
             results.coupling_force[points_.nodes(point)[corner]] +=
                 points_.place(point).weight[corner] * force_[point];
@@ -401,7 +453,7 @@ ElementResults::ContactForce FluidCoupling::as_contact(const State& state) const
     const bool structure_is_slave = options_.contact < 0;
     Vec3& force = structure_is_slave ? contact.slave_force : contact.master_force;
     Vec3& moment = structure_is_slave ? contact.slave_moment : contact.master_moment;
-    for (std::size_t point = 0; point < points_.size(); ++point) {
+    for (const Index point : active_) {
         force += force_[point];
         moment += cross(points_.motion(point, state).position, force_[point]);
     }
@@ -414,7 +466,7 @@ ElementResults::ContactForce FluidCoupling::as_contact(const State& state) const
 Vec3 FluidCoupling::force() const
 {
     Vec3 sum{};
-    for (const Vec3& force : force_) sum += force;
+    for (const Index point : active_) sum += force_[point];
     return sum;
 }
 

@@ -25,10 +25,7 @@ public:
     std::size_t items() const override { return points_.size(); }
     void add_forces(const Clock& clock, State& state) override;
     void report(EnergyLedger& ledger) const override;
-    void serialise(Archive& archive) override
-    {
-        archive(penetration_, slip_, force_, cell_, work_on_structure_);
-    }
+    void serialise(Archive& archive) override;
     void collect(const State& state, ElementResults& results) const override;
 
     /// Force on the structure at t_n [force].
@@ -63,18 +60,25 @@ private:
     std::vector<Vec3> slip_;               ///< and across it, where that is held [length]
     std::vector<Vec3> force_;              ///< on the structure at each point at t_n [force]
     std::vector<std::array<int, 3>> cell_; ///< where each point was last
+    std::vector<char> segment_near_;       ///< fluid may stand at some point of the segment
+    std::vector<Index> near_;              ///< points of such segments, rising
+    std::vector<Index> active_;            ///< those that fluid stands before, rising
 
     /// Mass that the springs and dampers on each node need to be stable, by storage place of the fluid's
     /// nodes and by node of the State [mass]; zero between uses.
     std::vector<double> load_, structure_load_;
     DryFaces dry_faces_;
     std::vector<DryFaces::Point> present_; ///< points in the mesh; none where it has no void
+    std::vector<Index> asking_;            ///< of present_, those that fluid stands before
     InterfaceDepth interface_depth_;
     std::vector<Index> entry_; ///< of each node of the fluid among its outside forces, by storage place
     double work_on_structure_ = 0;
 
-    void look(std::size_t point, const Clock& clock, const State& state);
-    double fraction_before(const Vec3& position, const Touch& touch, const std::array<int, 3>& cell) const;
+    bool is_near(std::size_t segment, const State& state) const;
+    void find_near(const Clock& clock, const State& state);
+    void look(std::size_t point, const State& state);
+    void list_active();
+    double fraction_before(const Touch& touch) const;
     double share_behind(const MeshPoint& at, const Vec3& normal) const;
     void limit_stiffness(const State& state);
     void add_loads();

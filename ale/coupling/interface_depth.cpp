@@ -30,6 +30,9 @@ using Point = DryFaces::Point;
 /// Of the angle between the normal and the row: 53 degrees, for 45 and what round-off and bending add.
 constexpr double least_cosine = 0.6;
 
+/// Share of the cell before that of a point which the fluid must fill.
+constexpr double least_full = 0.99;
+
 /// The axis of the mesh that a surface lies across at a point, and how much of the normal is along it [-].
 struct RowAxis {
     int axis = 0;
@@ -48,6 +51,13 @@ RowAxis row_axis(const std::array<Vec3, 3>& edges, const Vec3& normal)
 bool tells(const RowAxis& row)
 {
     return std::abs(row.cosine) >= least_cosine;
+}
+
+/// Whether the cell before that of a point is full.
+bool full_before(const Fluid& fluid, const Point& point, const RowAxis& row, unsigned fluids)
+{
+    const std::ptrdiff_t before = fluid.cell_beyond(point.place, row.axis, row.cosine > 0 ? 1 : 0);
+    return before >= 0 && filled_share(fluid, before, fluids) >= least_full;
 }
 
 /// How far the other point stands before the plane of a point [length].
@@ -89,14 +99,16 @@ void InterfaceDepth::need(std::ptrdiff_t place)
     cells_.emplace_back();
 }
 
-void InterfaceDepth::collect(const Fluid& fluid, const std::vector<Point>& points)
+void InterfaceDepth::collect(const Fluid& fluid, const std::vector<Point>& points,
+                             const std::vector<Index>& asking, unsigned fluids)
 {
     for (const std::ptrdiff_t place : places_) entry_[place] = none;
     places_.clear();
     cells_.clear();
-    for (const Point& point : points) {
+    for (const Index number : asking) {
+        const Point& point = points[number];
         const RowAxis row = row_axis(fluid.edges(point.place), point.normal);
-        if (!tells(row)) continue;
+        if (!tells(row) || !full_before(fluid, point, row, fluids)) continue;
         need(fluid.place_of(point.place));
         need(fluid.cell_beyond(point.place, row.axis, row.cosine > 0 ? 0 : 1));
     }
@@ -133,7 +145,7 @@ std::optional<double> InterfaceDepth::behind(const Fluid& fluid, const Point& po
     const std::ptrdiff_t beyond = fluid.cell_beyond(point.place, axis, 1 - ahead);
     if (before < 0) return {};
     const double full = filled_share(fluid, before, fluids);
-    if (full < 0.99) return {};
+    if (full < least_full) return {};
     const Cell& own = *cell_at(place);
     const Cell* last = cell_at(beyond);
     if (last && last->count == 0) last = nullptr; // no plane passes there

@@ -19,10 +19,12 @@ class InterfaceDepth {
 public:
     explicit InterfaceDepth(const Fluid& fluid) : entry_(fluid.fields.volume.size(), none) {}
 
-    /// Collects the planes of the surface in the cells that are looked at. The points must outlive what
-    /// follows.
-    void collect(const Fluid& fluid, const std::vector<DryFaces::Point>& points);
-    /// At one of these points, negative where the fluid has not come up to the surface [length]; nothing
+    /// Collects the planes of the surface in the cells that are looked at for some of its points. The points
+    /// must outlive what follows.
+    /// asking  numbers of the points at which behind() will be asked
+    void collect(const Fluid& fluid, const std::vector<DryFaces::Point>& points,
+                 const std::vector<Index>& asking, unsigned fluids);
+    /// At one of those points, negative where the fluid has not come up to the surface [length]; nothing
     /// where the cells do not tell. fluids  bit g for fluid g
     std::optional<double> behind(const Fluid& fluid, const DryFaces::Point& point, unsigned fluids) const;
 
