@@ -16,8 +16,16 @@ BoxFluid::BoxFluid(BoxGrid box, std::vector<FluidGroup> all_groups, LagrangeSett
       scratch_(grid, static_cast<int>(groups.size()))
 {}
 
+/// The pressure on the sides into the ghosts, which evaluate_state overwrites in part.
+void BoxFluid::press()
+{
+    press_on_sides(grid, fields, outside_pressure);
+    pressed_ = outside_pressure;
+}
+
 double BoxFluid::accelerate(double step)
 {
+    if (outside_pressure != pressed_) press();
     return plash::accelerate(grid, fields, contents, step, gravity);
 }
 
@@ -60,7 +68,7 @@ void BoxFluid::find_node_masses()
 CrossingRate BoxFluid::evaluate(double last_step)
 {
     const CrossingRate limit = evaluate_state(grid, fields, contents, groups, lagrange, last_step);
-    if (outside_pressure != 0) press_on_sides(grid, fields, outside_pressure);
+    if (outside_pressure != 0 || pressed_ != 0) press();
     return limit;
 }
 
@@ -130,6 +138,14 @@ FluidCell BoxFluid::cell(std::size_t number) const
         cell.points[corner] = {grid.planes(0)[a], grid.planes(1)[b], grid.planes(2)[c]};
     }
     return cell;
+}
+
+double BoxFluid::volume_of(std::ptrdiff_t place) const
+{
+    const std::ptrdiff_t number = number_of(place);
+    const int nx = grid.cells(0), ny = grid.cells(1);
+    return grid.volume(static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
+                       static_cast<int>(number / nx / ny));
 }
 
 std::ptrdiff_t BoxFluid::node_place(std::size_t number) const

@@ -23,6 +23,7 @@ public:
     std::size_t cell_count() const override { return grid.cell_count(); }
     std::size_t node_count() const override;
     FluidCell cell(std::size_t number) const override;
+    double volume_of(std::ptrdiff_t place) const override;
     std::ptrdiff_t node_place(std::size_t number) const override;
     std::vector<OuterNode> outer_nodes() const override;
     void shift(const std::array<double, 3>& distance) override;
@@ -54,6 +55,9 @@ protected:
 
 private:
     RemapScratch scratch_;
+    double pressed_ = 0; ///< outside pressure that stands in the ghosts [pressure]
+
+    void press();
 };
 
 } // namespace plash

@@ -98,6 +98,7 @@ public:
     virtual std::size_t cell_count() const = 0;
     virtual std::size_t node_count() const = 0;
     virtual FluidCell cell(std::size_t number) const = 0;
+    virtual double volume_of(std::ptrdiff_t place) const = 0;
     virtual std::ptrdiff_t node_place(std::size_t number) const = 0;
     virtual std::vector<OuterNode> outer_nodes() const = 0;
     /// Nothing passes outer faces between nodes that slip, though their walls be curved. To be called before

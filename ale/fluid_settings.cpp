@@ -2,6 +2,7 @@
 
 #include "materials/parameters.h"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace plash {
@@ -20,17 +21,13 @@ void set_advection(const Record& record, FluidSettings& settings)
         settings.order = AdvectionOrder::van_leer;
         break;
     case 3:
+    case 4:
         settings.order = AdvectionOrder::van_leer;
         settings.conserve_total_energy = true;
         break;
     default:
-        reject_field(record, "METH", fmt::format("{} is not supported; there are 1, 2, -2 and 3", method));
+        reject_field(record, "METH", fmt::format("{} is not supported; there are 1, 2, -2, 3 and 4", method));
     }
-    if (record.integer("NADV") > 1)
-        reject_field(record, "NADV", "the fluid is remapped in every cycle; leave it at 1");
-    if (record.real("START") > 0)
-        reject_field(record, "START",
-                     "the mesh does not move with the fluid before a start time; leave it empty");
 }
 
 void set_boundary(const Model& model, const Record& record, FluidSettings& settings)
@@ -41,6 +38,13 @@ void set_boundary(const Model& model, const Record& record, FluidSettings& setti
         reject_field(record, "EBC", fmt::format("{} is not one of 0 open, 1 stick, 2 slip", boundary));
     settings.boundary = boundary == 0 ? Boundary::open : boundary == 1 ? Boundary::stick : Boundary::slip;
     settings.outside_pressure = record.real("PREF");
+    if (settings.outside_pressure < 0) {
+        const Id curve = std::llround(-settings.outside_pressure);
+        settings.outside_pressure = 0;
+        settings.outside_pressure_curve = model.find_curve(curve);
+        if (settings.outside_pressure_curve == none)
+            reject_field(record, "PREF", fmt::format("there is no curve {}", curve));
+    }
     const Id exempt = record.integer("NSIDEBC");
     if (exempt == 0) return;
     for (const NodeSet& set : model.node_sets) {

@@ -52,7 +52,8 @@ EulerianFluid::EulerianFluid(const Model& model, MeshBlock block, DeckGroups gro
       groups_(std::move(groups)),
       fluid_(make_fluid(model, block_, groups_)),
       boundary_(mesh_boundary_of(*fluid_, block_, settings, model)),
-      motion_(mesh_motion_of(model, block_))
+      motion_(mesh_motion_of(model, block_)),
+      outside_pressure_curve_(settings.outside_pressure_curve)
 {
     fluid_->order = settings.order;
     if (settings.smooth > 0) fluid_->keep_smooth_slopes(settings.smooth);
@@ -201,6 +202,9 @@ void EulerianFluid::after_motion(const Clock& clock, State& state)
     }
     if (!loaded_nodes_.empty()) take_loads(state);
     fluid_->gravity = gravity(clock.time + 0.5 * clock.step);
+    if (outside_pressure_curve_ != none)
+        fluid_->outside_pressure =
+            curve_value(model_, outside_pressure_curve_, clock.time + 0.5 * clock.step);
     fluid_->advance(clock.step, clock.velocity_step());
     std::array<double, 3> distance = fluid_->lagrange.mesh_velocity;
     for (double& along : distance) along *= clock.step;
@@ -222,12 +226,6 @@ StepVote EulerianFluid::stable_step() const
     return vote;
 }
 
-/// Parts carry the sums of the group that begins with them; groups without a part those of the mesh.
-Index EulerianFluid::part_of_group(const DeckGroup& group) const
-{
-    return group.parts.empty() ? model_.solids.part[block_.solids.front()] : group.parts.front();
-}
-
 void EulerianFluid::report(EnergyLedger& ledger) const
 {
     const FluidEnergies& energies = fluid_->energies();
@@ -239,88 +237,6 @@ void EulerianFluid::report(EnergyLedger& ledger) const
     ledger.advection_loss += energies.advection_loss;
     ledger.sliding -= energies.coupling_work; // the structures' share is booked by the couplings
     ledger.external_work += energies.outside_work - energies.outflow;
-}
-
-void EulerianFluid::collect(const State&, ElementResults& results) const
-{
-    collect_cells(results);
-    if (!results.material_velocity.empty()) collect_nodes(results);
-    if (!results.part_motion.empty()) collect_parts(results);
-}
-
-void EulerianFluid::collect_cells(ElementResults& results) const
-{
-    if (results.solid_stress.empty() && results.solid_density.empty() && results.solid_fraction.empty())
-        return;
-    const FluidFields& fields = fluid_->fields;
-    const bool mixed = !fields.groups[0].fraction.empty();
-    for (std::size_t cell = 0; cell < fluid_->cell_count(); ++cell) {
-        const Index solid = block_.solids[cell], row = results.row_of_solid(solid);
-        if (row == none) continue;
-        const FluidCell own = fluid_->cell(cell);
-        const std::ptrdiff_t place = own.place;
-        if (!results.solid_stress.empty()) {
-            ElementResults::Stress stress{};
-            const bool filled = fields.total_mass()[place] > 0;
-            if (filled) stress.xx = stress.yy = stress.zz = -fields.pressure[place];
-            if (filled && !fields.viscous[0].empty()) {
-                stress.xx += fields.viscous[0][place];
-                stress.yy += fields.viscous[1][place];
-                stress.zz += fields.viscous[2][place];
-                stress.xy = fields.viscous[3][place];
-                stress.yz = fields.viscous[4][place];
-                stress.zx = fields.viscous[5][place];
-            }
-            results.solid_stress[row] = stress;
-        }
-        if (!results.solid_density.empty())
-            results.solid_density[row] = fields.total_mass()[place] / own.volume;
-        if (results.solid_fraction.empty()) continue;
-        double filled = 0;
-        const std::size_t count = groups_.groups.size();
-        for (std::size_t g = 0; g < count; ++g) {
-            const int number = groups_.groups[g].fluid;
-            if (number == none) continue;
-            const double share = mixed ? fields.groups[number].fraction[place] : 1;
-            filled += share;
-            if (g < results.solid_fraction.size()) results.solid_fraction[g][row] = share;
-        }
-        const int empty = groups_.vacuum();
-        if (empty != none && empty < static_cast<int>(results.solid_fraction.size()))
-            results.solid_fraction[empty][row] = std::max(1 - filled, 0.0);
-    }
-}
-
-void EulerianFluid::collect_nodes(ElementResults& results) const
-{
-    const auto& v = fluid_->fields.velocity;
-    for (std::size_t number = 0; number < block_.nodes.size(); ++number) {
-        const std::ptrdiff_t place = fluid_->node_place(number);
-        results.material_velocity[block_.nodes[number]] = {v[0][place], v[1][place], v[2][place]};
-    }
-}
-
-/// Mass, momentum and kinetic energy of the groups: a node has an eighth of each of its cells.
-void EulerianFluid::collect_parts(ElementResults& results) const
-{
-    const auto& v = fluid_->fields.velocity;
-    for (const DeckGroup& group : groups_.groups) {
-        if (group.fluid == none) continue;
-        ElementResults::PartMotion& sum = results.part_motion[part_of_group(group)];
-        sum.outside_state = true;
-        for (std::size_t number = 0; number < fluid_->cell_count(); ++number) {
-            const FluidCell cell = fluid_->cell(number);
-            const double mass = fluid_->fields.groups[group.fluid].mass[cell.place];
-            if (mass == 0) continue;
-            sum.mass += mass;
-            for (const std::ptrdiff_t node : cell.corners) {
-                for (int axis = 0; axis < 3; ++axis) {
-                    sum.momentum[axis] += 0.125 * mass * v[axis][node];
-                    sum.kinetic += 0.0625 * mass * v[axis][node] * v[axis][node];
-                }
-            }
-        }
-    }
 }
 
 std::vector<std::unique_ptr<EulerianFluid>> make_eulerian_fluids(const Model& model)

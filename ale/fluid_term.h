@@ -43,6 +43,7 @@ private:
     std::unique_ptr<Fluid> fluid_;
     MeshBoundary boundary_;
     MeshMotion motion_;
+    Index outside_pressure_curve_;          ///< none: the pressure on the outer faces stays as it is
     std::vector<std::size_t> loaded_nodes_; ///< of the mesh, on which loads of the deck act
     std::vector<const BodyLoad*> frame_loads_;
     bool started_ = false;
@@ -58,6 +59,9 @@ private:
     void collect_cells(ElementResults& results) const;
     void collect_nodes(ElementResults& results) const;
     void collect_parts(ElementResults& results) const;
+    double kinetic_per_mass(const FluidCell& cell) const;
+    void collect_cell_sums(ElementResults& results) const;
+    void collect_region(ElementResults::FluidRegion& region) const;
 };
 
 /// The fluids of all Eulerian meshes of a Model; none when it has none.

@@ -210,6 +210,38 @@ struct ElementResults {
     /// Force of Eulerian fluids on each node, summed by the couplings' terms; empty unless wanted [force].
     std::vector<Vec3> coupling_force;
 
+    /// A tracer (*DATABASE_TRACER) at n.
+    struct Tracer {
+        Vec3 place{}, velocity{};
+        Stress stress{};
+        double plastic_strain = 0;  ///< [-]
+        double density = 0;         ///< of the material without the void beside it [density]
+        double relative_volume = 0; ///< its reference density over it [-]
+        bool active = false;        ///< there is material where it is
+        /// Of a structure; then stress, plastic strain and density are the element's, and not filled here.
+        Index solid = none;
+    };
+    bool tracers_wanted = false; ///< the list below is filled only then
+    std::vector<Tracer> tracers; ///< by the deck's order
+
+    /// Sums over cells of Eulerian meshes of what one group of the deck has there.
+    struct FluidSum {
+        double volume = 0, mass = 0, kinetic = 0, internal = 0;
+        double momentum[3] = {0, 0, 0};
+        double lowest_pressure = 0, highest_pressure = 0; ///< of cells that hold some of it [pressure]
+    };
+    struct FluidRegion {
+        std::vector<bool> solids;     ///< of the Model that count; empty: all
+        std::vector<FluidSum> groups; ///< by the deck's order, sized by whoever wants them
+    };
+    std::vector<FluidRegion> fluid_regions;
+
+    /// What an Eulerian cell holds.
+    struct FluidCellSum {
+        double mass = 0, volume = 0, internal = 0, kinetic = 0, pressure = 0;
+    };
+    std::vector<FluidCellSum> fluid_cells; ///< by solid of the Model; every row or none
+
     /// By node: change of the velocity from n-1/2 to n+1/2 over that span [length/time^2]. Recorders put in
     /// force / mass; terms that move nodes themselves (rigid bodies) overwrite the entries of their nodes.
     std::vector<Vec3> acceleration;

@@ -4,6 +4,7 @@
 #include "output/deforc.h"
 #include "output/disbout.h"
 #include "output/nodfor.h"
+#include "output/trhist.h"
 
 namespace plash {
 
@@ -132,6 +133,7 @@ std::unique_ptr<BinoutSection> make_discrete_section(const std::string& file_nam
     if (file_name == "deforc") return std::make_unique<DeforcSection>(model);
     if (file_name == "disbout") return std::make_unique<DisboutSection>(model);
     if (file_name == "nodfor") return std::make_unique<NodforSection>(model);
+    if (file_name == "trhist") return make_trhist_section();
     return nullptr;
 }
 

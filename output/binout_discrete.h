@@ -4,7 +4,7 @@
 
 namespace plash {
 
-/// Sections of deforc, disbout, nodfor; null for other files.
+/// Sections of deforc, disbout, nodfor, trhist; null for other files.
 std::unique_ptr<BinoutSection> make_discrete_section(const std::string& file_name, const Model& model);
 
 } // namespace plash

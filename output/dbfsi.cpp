@@ -1,7 +1,9 @@
 #include "output/dbfsi.h"
 
+#include "core/local_axes.h"
 #include "model/eulerian.h"
 #include "output/ascii_text.h"
+#include "output/binout_arrays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +54,28 @@ std::vector<std::array<Index, 4>> segments_of(const Model& model, const Record& 
     return segments;
 }
 
+class DbfsiSection final : public BinoutSection {
+public:
+    explicit DbfsiSection(const Model& model) : surfaces_(model) {}
+
+private:
+    FluidSurfaces surfaces_;
+
+    void write_metadata(ArrayFile& file) const override { file.put("ids", surfaces_.ids()); }
+    void write_state(const Snapshot& snapshot, ArrayFile& file, const std::string&) override
+    {
+        std::vector<double> pressures;
+        std::vector<Vec3> forces;
+        for (const FluidSurfaces::Row& row : surfaces_.rows(snapshot)) {
+            pressures.push_back(row.pressure);
+            forces.push_back(row.force);
+        }
+        file.put_whole("cycle", Id{snapshot.clock.cycle + 1});
+        file.put("pres", pressures);
+        put_vectors(file, forces, "fx", "fy", "fz");
+    }
+};
+
 /// Half the cross product of the diagonals.
 Vec3 area_vector(const std::array<Index, 4>& nodes, const std::vector<Vec3>& position)
 {
@@ -76,8 +100,16 @@ Schedule fluid_surface_schedule(const Model& model)
     return Schedule(interval);
 }
 
-DbfsiRecorder::DbfsiRecorder(const Model& model, Schedule schedule, const ResultPath& path)
-    : ScheduledRecorder(std::move(schedule)), file_(path)
+int fluid_surface_form(const Model& model)
+{
+    int form = 0;
+    for_requests(model, [&](const Record& record) {
+        if (form == 0) form = static_cast<int>(record.integer("BINARY"));
+    });
+    return form;
+}
+
+FluidSurfaces::FluidSurfaces(const Model& model)
 {
     for_requests(model, [&](const Record& record) {
         const Table* table = record.table("DBFSI_ID");
@@ -86,21 +118,34 @@ DbfsiRecorder::DbfsiRecorder(const Model& model, Schedule schedule, const Result
             surface.id = std::llround(table->at(row, 0));
             surface.segments = segments_of(model, record, std::llround(table->at(row, 1)),
                                            std::llround(table->at(row, 2)), surface.nodes);
+            if (const Id system = std::llround(table->at(row, 6)); system != 0) {
+                const auto& systems = model.coordinate_systems;
+                const auto found = std::find_if(systems.begin(), systems.end(),
+                                                [&](const auto& known) { return known.id == system; });
+                if (found == systems.end())
+                    throw DeckError(
+                        record.where,
+                        fmt::format("*DATABASE_FSI, field CID: there is no coordinate system {}", system));
+                surface.system = static_cast<Index>(found - systems.begin());
+            }
             surfaces_.push_back(std::move(surface));
         }
     });
-    file_.write(ascii_heading(model) +
-                fmt::format("\n Fluid-structure interaction: {} surfaces\n", surfaces_.size()));
 }
 
-void DbfsiRecorder::write_state(const Snapshot& snapshot)
+std::vector<Id> FluidSurfaces::ids() const
+{
+    std::vector<Id> ids;
+    for (const Surface& surface : surfaces_) ids.push_back(surface.id);
+    return ids;
+}
+
+std::vector<FluidSurfaces::Row> FluidSurfaces::rows(const Snapshot& snapshot) const
 {
     ElementResults results;
     results.coupling_force.resize(snapshot.state.size());
     snapshot.collect(results);
-    std::string text = "\n time =";
-    append_scientific(text, snapshot.clock.time, 13, 5);
-    text += "\n        id     pressure           fx           fy           fz\n";
+    std::vector<Row> rows;
     for (const Surface& surface : surfaces_) {
         Vec3 force{}, areas{};
         double area = 0;
@@ -110,15 +155,44 @@ void DbfsiRecorder::write_state(const Snapshot& snapshot)
             areas += vector;
             area += norm(vector);
         }
+        Row row{surface.id, 0, force};
         // Of a flat surface; closed ones have no mean normal.
         const double flat = norm(areas);
-        const double pressure = area > 0 && flat > 0.5 * area ? -dot(force, areas) / (flat * flat) : 0;
-        text += fmt::format("{:10}", surface.id);
-        for (double value : {pressure, force.x, force.y, force.z}) append_scientific(text, value, 13, 5);
+        if (area > 0 && flat > 0.5 * area) row.pressure = -dot(force, areas) / (flat * flat);
+        if (surface.system != none) {
+            const auto axes = axes_at(snapshot.model.coordinate_systems[surface.system], snapshot.state);
+            row.force = {dot(force, axes[0]), dot(force, axes[1]), dot(force, axes[2])};
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+DbfsiRecorder::DbfsiRecorder(const Model& model, Schedule schedule, const ResultPath& path)
+    : ScheduledRecorder(std::move(schedule)), surfaces_(model), file_(path)
+{
+    file_.write(ascii_heading(model) +
+                fmt::format("\n Fluid-structure interaction: {} surfaces\n", surfaces_.size()));
+}
+
+void DbfsiRecorder::write_state(const Snapshot& snapshot)
+{
+    std::string text = "\n time =";
+    append_scientific(text, snapshot.clock.time, 13, 5);
+    text += "\n        id     pressure           fx           fy           fz\n";
+    for (const FluidSurfaces::Row& row : surfaces_.rows(snapshot)) {
+        text += fmt::format("{:10}", row.id);
+        for (double value : {row.pressure, row.force.x, row.force.y, row.force.z})
+            append_scientific(text, value, 13, 5);
         text += '\n';
     }
     file_.write(text);
     file_.flush();
+}
+
+std::unique_ptr<BinoutSection> make_dbfsi_section(const Model& model)
+{
+    return std::make_unique<DbfsiSection>(model);
 }
 
 } // namespace plash

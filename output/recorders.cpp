@@ -1,5 +1,7 @@
 #include "output/recorders.h"
 
+#include "model/tracers.h"
+#include "output/ale_files.h"
 #include "output/beam_files.h"
 #include "output/binout.h"
 #include "output/bndout.h"
@@ -23,6 +25,7 @@
 #include "output/secforc.h"
 #include "output/spcforc.h"
 #include "output/sphout.h"
+#include "output/trhist.h"
 #include "output/vtk_series.h"
 
 #include <algorithm>
@@ -99,6 +102,11 @@ bool has_history_particles(const Model& model)
     return !model.controls.output.history_particles.empty();
 }
 
+bool has_tracers(const Model& model)
+{
+    return tracer_count(model) > 0;
+}
+
 bool has_springs(const Model& model)
 {
     return !shown_springs(model).empty();
@@ -140,6 +148,7 @@ const std::vector<AsciiFile>& ascii_files()
         {"rwforc", has_walls, make<RwforcRecorder>},
         {"spcforc", has_supports, make<SpcforcRecorder>},
         {"sphout", has_history_particles, make<SphoutRecorder>},
+        {"trhist", has_tracers, make<TrhistRecorder>},
         {"bndout", has_loads, make<BndoutRecorder>},
         {"rbdout", has_rigid_bodies, make<RbdoutRecorder>},
         {"jntforc", has_joints, make<JntforcRecorder>},
@@ -164,6 +173,11 @@ std::vector<std::unique_ptr<Recorder>> make_recorders(const Model& model, const 
         return ResultPath(directory + name, options.resume);
     };
     std::unique_ptr<BinoutRecorder> binout;
+    const auto open_binout = [&]() -> BinoutRecorder& {
+        if (!binout)
+            binout = std::make_unique<BinoutRecorder>(std::make_unique<LsdaFile>(path_of("/binout0000")));
+        return *binout;
+    };
     auto history = std::make_unique<BinoutRecorder>(std::make_unique<HistoryFile>(path_of("/history.h5")));
     for (const AsciiFile& file : ascii_files()) {
         const auto request = model.controls.output.ascii.find(file.name);
@@ -176,19 +190,24 @@ std::vector<std::unique_ptr<Recorder>> make_recorders(const Model& model, const 
         if (section) history->add(folder, schedule, std::move(section), model);
         if (binary >= 2) section = make_binout_section(file.name, model);
         if (section) {
-            if (!binout)
-                binout = std::make_unique<BinoutRecorder>(std::make_unique<LsdaFile>(path_of("/binout0000")));
-            binout->add(folder, schedule, std::move(section), model);
+            open_binout().add(folder, schedule, std::move(section), model);
             if (binary == 2) continue;
         }
         recorders.push_back(file.make(model, schedule, path_of("/" + file.name)));
     }
+    if (has_fluid_surfaces(model)) {
+        const Schedule schedule = fluid_surface_schedule(model);
+        const int form = fluid_surface_form(model);
+        history->add("dbfsi", schedule, make_dbfsi_section(model), model);
+        if (form >= 2) open_binout().add("dbfsi", schedule, make_dbfsi_section(model), model);
+        if (form != 2)
+            recorders.push_back(std::make_unique<DbfsiRecorder>(model, schedule, path_of("/dbfsi")));
+    }
+    BinoutRecorder* const arrays[] = {history.get(), binout.get()};
+    for (auto& recorder : make_ale_recorders(model, directory, options.resume, arrays))
+        recorders.push_back(std::move(recorder));
     if (binout) recorders.push_back(std::move(binout));
     if (!history->empty()) recorders.push_back(std::move(history));
-    if (has_fluid_surfaces(model)) {
-        recorders.push_back(
-            std::make_unique<DbfsiRecorder>(model, fluid_surface_schedule(model), path_of("/dbfsi")));
-    }
     const OutputRequest& d3plot = model.controls.output.d3plot;
     if (asked_for(d3plot)) {
         recorders.push_back(

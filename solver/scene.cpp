@@ -2,6 +2,7 @@
 
 #include "ale/coupling/fluid_coupling.h"
 #include "ale/fluid_term.h"
+#include "ale/tracers.h"
 #include "conditions/body_loads.h"
 #include "conditions/damping.h"
 #include "conditions/fixities.h"
@@ -73,6 +74,7 @@ void add_eulerian_fluids(Scene& scene)
     }
     for (auto& coupling : make_fluid_couplings(scene.model, fluids, scene.state))
         scene.terms.push_back(std::move(coupling));
+    if (auto tracers = make_tracers(scene.model, fluids)) scene.terms.push_back(std::move(tracers));
 }
 
 /// *CONTROL_TIMESTEP DT2MS: the step that the deck wants, bought with mass. Negative: only where it is

@@ -26,6 +26,7 @@ public:
     std::size_t cell_count() const override { return mesh.cells(); }
     std::size_t node_count() const override { return mesh.nodes(); }
     FluidCell cell(std::size_t number) const override;
+    double volume_of(std::ptrdiff_t place) const override { return mesh.volume[place]; }
     std::ptrdiff_t node_place(std::size_t number) const override { return number; }
     std::vector<OuterNode> outer_nodes() const override;
     void close_curved_walls() override;

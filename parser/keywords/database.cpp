@@ -345,6 +345,7 @@ constexpr Translator database_table[] = {
     {"DATABASE_SLEOUT", Phase::conditions, read_ascii},
     {"DATABASE_NCFORC", Phase::conditions, read_ascii},
     {"DATABASE_SPHOUT", Phase::conditions, read_ascii},
+    {"DATABASE_TRHIST", Phase::conditions, read_ascii},
     {"DATABASE_BINARY_D3PLOT", Phase::conditions, read_d3plot},
     {"DATABASE_BINARY_INTFOR", Phase::conditions, read_intfor},
     {"DATABASE_BINARY_INTFOR_FILE", Phase::conditions, read_intfor_file},

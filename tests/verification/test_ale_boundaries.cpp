@@ -109,4 +109,40 @@ TEST(AleBoundaries, LoadsOnSegmentsHoldTheGas)
     }
 }
 
+// PREF of *CONTROL_ALE as a curve that rises from the pressure of the gas does to the open end of a tube what
+// a load on its face by the same curve does; the load is taken at the beginning of a step and PREF in its
+// middle. On boxes and on general hexahedra.
+TEST(AleBoundaries, OutsidePressureFollowsItsCurve)
+{
+    for (const double twist : {0.0, 0.001}) {
+        std::vector<double> velocity[2];
+        double step = 0;
+        for (const bool by_load : {true, false}) {
+            EulerianRun run(tube(twist) + gas(1, 1, 1, 2) + gas(2, 1, 1, 2) +
+                            "*SECTION_SOLID\n1,11\n*ALE_MULTI-MATERIAL_GROUP\n1,1\n2,1\n" +
+                            (by_load ? "*LOAD_SEGMENT\n1,1,0,401,402,404,403\n" : "") +
+                            "*DEFINE_CURVE\n1\n0,2\n0.1,2.2\n1,2.2\n"
+                            "*BOUNDARY_SPC_SET\n2,0,0,1,1\n*SET_NODE_LIST_GENERATE\n2\n1,404\n"
+                            "*BOUNDARY_SPC_SET\n3,0,1\n*SET_NODE_LIST_GENERATE\n3\n1,4\n" +
+                            fmt::format("*CONTROL_ALE\n-1,1,2,-1\n,,,,,,{}\n*CONTROL_TERMINATION\n0.1\n"
+                                        "*CONTROL_TIMESTEP\n0,0.6\n*END\n",
+                                        by_load ? 0 : -1));
+            const Fluid& fluid = run.term<EulerianFluid>().fluid();
+            run.run([&](const Clock& clock, const State&) { step = std::max(step, clock.step); });
+            for (std::size_t node = 0; node < fluid.node_count(); ++node)
+                velocity[by_load].push_back(fluid.fields.velocity[0][fluid.node_place(node)]);
+            EXPECT_LT(run.scene().ledger.balance_error(), 1e-6);
+        }
+        double fastest = 0, difference = 0;
+        for (std::size_t node = 0; node < velocity[0].size(); ++node) {
+            fastest = std::max(fastest, std::abs(velocity[1][node]));
+            difference = std::max(difference, std::abs(velocity[1][node] - velocity[0][node]));
+        }
+        // Density times speed of sound, in the middle of the rise on the adiabat.
+        const double impedance = std::sqrt(1.4 * 2.1 * std::pow(1.05, 1 / 1.4));
+        EXPECT_NEAR(fastest, 0.2 / impedance, 0.02 * fastest);
+        EXPECT_LT(difference, 0.55 * step * 2 / impedance) << twist; // half a step of the rise of 2 a time
+    }
+}
+
 } // namespace plash
