@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace plash {
 
@@ -176,6 +177,11 @@ void BoxFluid::shift(const std::array<double, 3>& distance)
 {
     for (int axis = 0; axis < 3; ++axis)
         if (distance[axis] != 0) grid.shift(axis, distance[axis]);
+}
+
+void BoxFluid::move_nodes(std::vector<Vec3>, double)
+{
+    throw std::logic_error("a box of cells does not deform; its mesh should have been one of hexahedra");
 }
 
 MeshPoint BoxFluid::locate(const Vec3& point, const std::array<int, 3>& guess) const

@@ -27,6 +27,7 @@ public:
     std::ptrdiff_t node_place(std::size_t number) const override;
     std::vector<OuterNode> outer_nodes() const override;
     void shift(const std::array<double, 3>& distance) override;
+    void move_nodes(std::vector<Vec3> next, double step) override;
 
     MeshPoint locate(const Vec3& point, const std::array<int, 3>& guess) const override;
     std::ptrdiff_t place_of(const MeshPoint& point) const override;

@@ -41,6 +41,8 @@ void Fluid::keep_ambient(std::vector<std::ptrdiff_t> places)
 {
     ambient_places_ = std::move(places);
     ambient_state_.clear();
+    ambient_volume_.clear();
+    for (const std::ptrdiff_t place : ambient_places_) ambient_volume_.push_back(volume_of(place));
     for (const std::ptrdiff_t place : ambient_places_)
         for (const GroupFields& group : fields.groups)
             ambient_state_.push_back(
@@ -80,14 +82,16 @@ double Fluid::restore_ambient()
     if (ambient_places_.empty()) return 0;
     const double internal = sum_internal(), kinetic = kinetic_energy();
     std::size_t entry = 0;
-    for (const std::ptrdiff_t place : ambient_places_) {
+    for (std::size_t number = 0; number < ambient_places_.size(); ++number) {
+        const std::ptrdiff_t place = ambient_places_[number];
+        const double size = volume_of(place) / ambient_volume_[number]; // 1 unless the mesh is stretched
         double total = 0;
         for (GroupFields& group : fields.groups) {
             const auto& [mass, energy, fraction] = ambient_state_[entry++];
-            group.mass[place] = mass;
-            group.energy[place] = energy;
+            group.mass[place] = size * mass;
+            group.energy[place] = size * energy;
             if (!group.fraction.empty()) group.fraction[place] = fraction;
-            total += mass;
+            total += size * mass;
         }
         if (fields.groups.size() > 1) fields.mass_of_groups[place] = total;
     }

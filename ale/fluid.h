@@ -106,6 +106,8 @@ public:
     virtual void close_curved_walls() {}
     /// Moves the mesh as a whole.
     virtual void shift(const std::array<double, 3>& distance) = 0;
+    /// In the coming step, whose length is given, the nodes go to these places. Not on a box.
+    virtual void move_nodes(std::vector<Vec3> next, double step) = 0;
 
     /// Where a point lies in the mesh; looks first in the cell where it was before.
     virtual MeshPoint locate(const Vec3& point, const std::array<int, 3>& guess) const = 0;
@@ -162,6 +164,7 @@ private:
     /// Cells in a kept state, and that state by group: mass, energy, fraction.
     std::vector<std::ptrdiff_t> ambient_places_;
     std::vector<std::array<double, 3>> ambient_state_;
+    std::vector<double> ambient_volume_; ///< in which that is [length^3]
 
     double remap();
     double restore_ambient();

@@ -67,6 +67,10 @@ EulerianFluid::EulerianFluid(const Model& model, MeshBlock block, DeckGroups gro
     find_ambient_cells();
     find_loaded_nodes();
     find_frame_loads();
+    if (motion_.deforms() && (!boundary_.held.empty() || !boundary_.slipping.empty()))
+        throw DeckError(model.parts[model.solids.part[block_.solids.front()]].where,
+                        "an Eulerian mesh that turns or is stretched has nodes that are held (EBC, "
+                        "*BOUNDARY_SPC, *BOUNDARY_PRESCRIBED_MOTION); there its sides can be open only");
 }
 
 /// ELFORM 7, or AET: cells that stand for a reservoir and keep the state in which they start.
@@ -133,7 +137,7 @@ std::vector<std::string> EulerianFluid::notices(const State&) const
 void EulerianFluid::serialise(Archive& archive)
 {
     fluid_->serialise(archive);
-    archive(started_, boundary_.held);
+    archive(started_, boundary_.held, reference_before_, reference_rule_);
     if (archive.loading()) fluid_->held = boundary_.held;
 }
 
@@ -158,12 +162,48 @@ void EulerianFluid::add_forces(const Clock& clock, State& state)
     if (motion_.moves()) move_mesh(clock, state);
 }
 
-/// The loop carries the nodes; the grid follows in after_motion.
+/// Places of the nodes that the mesh follows now.
+std::vector<Vec3> EulerianFluid::reference_nodes(const State& state, double time) const
+{
+    std::vector<Vec3> places;
+    for (const Index node : motion_.rules[motion_.rule_number(time)].nodes)
+        places.push_back(state.position[node]);
+    return places;
+}
+
+/// The loop carries the nodes of a mesh that translates, and the grid follows in after_motion. Those of a
+/// mesh that deforms stay where they are until then.
 void EulerianFluid::move_mesh(const Clock& clock, State& state)
 {
+    if (motion_.deforms()) {
+        const std::size_t rule = motion_.rule_number(clock.time);
+        if (reference_before_.empty() || rule != reference_rule_)
+            reference_before_ = reference_nodes(state, clock.time);
+        reference_rule_ = rule;
+        for (Index node : block_.nodes) state.velocity[node] = {};
+        return;
+    }
     const std::array<double, 3> velocity = motion_.velocity(model_, *fluid_, state.velocity, clock.time);
     fluid_->lagrange.mesh_velocity = velocity;
     for (Index node : block_.nodes) state.velocity[node] = {velocity[0], velocity[1], velocity[2]};
+}
+
+/// Puts the nodes of the State where the nodes that they follow have gone in this step, and lets the fluid
+/// know.
+void EulerianFluid::deform_mesh(const Clock& clock, State& state)
+{
+    // Nodes of bodies may still be put straight after this: what they go then comes with the next step.
+    std::vector<Vec3> reference = reference_nodes(state, clock.time);
+    const AffineStep way = affine_step(motion_, model_, clock.time, clock.step, reference_before_, reference,
+                                       motion_.velocity(model_, *fluid_, state.velocity, clock.time));
+    reference_before_ = std::move(reference);
+    std::vector<Vec3> next;
+    next.reserve(block_.nodes.size());
+    for (Index node : block_.nodes) {
+        state.position[node] = way(state.position[node]);
+        next.push_back(state.position[node]);
+    }
+    fluid_->move_nodes(std::move(next), clock.step);
 }
 
 /// Loads of the frame that speak of everything, of the mesh's parts or of some of its nodes.
@@ -205,6 +245,7 @@ void EulerianFluid::after_motion(const Clock& clock, State& state)
     if (outside_pressure_curve_ != none)
         fluid_->outside_pressure =
             curve_value(model_, outside_pressure_curve_, clock.time + 0.5 * clock.step);
+    if (motion_.deforms()) deform_mesh(clock, state);
     fluid_->advance(clock.step, clock.velocity_step());
     std::array<double, 3> distance = fluid_->lagrange.mesh_velocity;
     for (double& along : distance) along *= clock.step;
@@ -245,7 +286,12 @@ std::vector<std::unique_ptr<EulerianFluid>> make_eulerian_fluids(const Model& mo
     if (!has_eulerian_mesh(model)) return fluids;
     const DeckGroups groups = deck_groups_of(model);
     const FluidSettings settings = fluid_settings_of(model);
-    for (MeshBlock& block : find_mesh_blocks(model))
+    const auto why_no_box = [&](const std::vector<Index>& solids) {
+        MeshBlock block;
+        block.solids = solids;
+        return std::string(mesh_motion_of(model, block).deforms() ? "it turns or is stretched" : "");
+    };
+    for (MeshBlock& block : find_mesh_blocks(model, why_no_box))
         fluids.push_back(std::make_unique<EulerianFluid>(model, std::move(block), groups, settings));
     return fluids;
 }

@@ -43,7 +43,9 @@ private:
     std::unique_ptr<Fluid> fluid_;
     MeshBoundary boundary_;
     MeshMotion motion_;
-    Index outside_pressure_curve_;          ///< none: the pressure on the outer faces stays as it is
+    std::vector<Vec3> reference_before_; ///< places of the nodes that a deforming mesh has followed [length]
+    std::size_t reference_rule_ = 0;     ///< by which it did
+    Index outside_pressure_curve_;       ///< none: the pressure on the outer faces stays as it is
     std::vector<std::size_t> loaded_nodes_; ///< of the mesh, on which loads of the deck act
     std::vector<const BodyLoad*> frame_loads_;
     bool started_ = false;
@@ -54,6 +56,8 @@ private:
     void find_frame_loads();
     void take_loads(const State& state);
     void move_mesh(const Clock& clock, State& state);
+    void deform_mesh(const Clock& clock, State& state);
+    std::vector<Vec3> reference_nodes(const State& state, double time) const;
     std::array<double, 3> gravity(double time) const;
     Index part_of_group(const DeckGroup& group) const;
     void collect_cells(ElementResults& results) const;

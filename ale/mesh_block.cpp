@@ -139,9 +139,10 @@ MeshBlock hexahedra_of(const Model& model, const std::vector<Index>& solids, std
     return block;
 }
 
-MeshBlock block_of(const Model& model, const std::vector<Index>& solids, bool boxes_as_hexahedra)
+MeshBlock block_of(const Model& model, const std::vector<Index>& solids, const WhyNoBox& why_no_box)
 {
-    if (boxes_as_hexahedra) return hexahedra_of(model, solids, "a test wants it so");
+    if (std::string why = why_no_box(solids); !why.empty())
+        return hexahedra_of(model, solids, std::move(why));
     try {
         return box_of(model, solids);
     } catch (const NoBox& reason) {
@@ -152,6 +153,13 @@ MeshBlock block_of(const Model& model, const std::vector<Index>& solids, bool bo
 } // namespace
 
 std::vector<MeshBlock> find_mesh_blocks(const Model& model, bool boxes_as_hexahedra)
+{
+    return find_mesh_blocks(model, [&](const std::vector<Index>&) {
+        return std::string(boxes_as_hexahedra ? "a test wants it so" : "");
+    });
+}
+
+std::vector<MeshBlock> find_mesh_blocks(const Model& model, const WhyNoBox& why_no_box)
 {
     std::vector<bool> eulerian(model.parts.size());
     for (std::size_t part = 0; part < eulerian.size(); ++part)
@@ -172,7 +180,7 @@ std::vector<MeshBlock> find_mesh_blocks(const Model& model, bool boxes_as_hexahe
         members[found->second].push_back(static_cast<Index>(solid));
     }
     std::vector<MeshBlock> blocks;
-    for (const auto& solids : members) blocks.push_back(block_of(model, solids, boxes_as_hexahedra));
+    for (const auto& solids : members) blocks.push_back(block_of(model, solids, why_no_box));
     return blocks;
 }
 

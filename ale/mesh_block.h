@@ -3,6 +3,8 @@
 #include "ale/box_grid.h"
 #include "model/model.h"
 
+#include <functional>
+
 namespace plash {
 
 /// A connected Eulerian mesh of a deck, in whatever order the deck numbers it. Where its cells stand between
@@ -32,5 +34,9 @@ struct MeshBlock {
 /// The Eulerian meshes of a Model, one entry for each that is connected through nodes. With
 /// `boxes_as_hexahedra` none is taken as a box (for tests).
 std::vector<MeshBlock> find_mesh_blocks(const Model& model, bool boxes_as_hexahedra = false);
+
+/// Whether, and why, the mesh of these solids cannot be a box though it looks like one.
+using WhyNoBox = std::function<std::string(const std::vector<Index>& solids)>;
+std::vector<MeshBlock> find_mesh_blocks(const Model& model, const WhyNoBox& why_no_box);
 
 } // namespace plash

@@ -24,27 +24,52 @@ const Record& named(const Model& model, const std::string& keyword, Id id, const
     return *found;
 }
 
-/// Curves f1 .. f12 of x' = f1 + f2 x + f3 y + f4 z and so on; only f1, f5, f9 may be there.
 void set_curves(const Model& model, const Record& record, MeshMotion::Rule& rule)
 {
     for (int number = 1; number <= 12; ++number) {
         const std::string field = fmt::format("LC{}", number);
         const Id curve = record.integer(field);
         if (curve == 0) continue;
-        if (number % 4 != 1)
-            reject_field(record, field, "a mesh can be moved, but not scaled or sheared; leave it empty");
-        rule.curves[number / 4] = model.find_curve(curve);
+        rule.curves[number - 1] = model.find_curve(curve);
+        if (rule.curves[number - 1] == none)
+            reject_field(record, field, fmt::format("there is no curve {}", curve));
     }
 }
 
-/// The origin of the system that NID1 to NID3 span; the mesh does not turn with it.
-void set_node(const Model& model, const Record& record, MeshMotion::Rule& rule)
+/// NID1 up to the given number, as far as they are there.
+void set_nodes(const Model& model, const Record& record, int most, MeshMotion::Rule& rule)
 {
-    const Id id = record.integer("NID1");
     const auto& ids = model.nodes.id;
-    const auto found = std::find(ids.begin(), ids.end(), id);
-    if (found == ids.end()) reject_field(record, "NID1", fmt::format("there is no node {}", id));
-    rule.node = static_cast<Index>(found - ids.begin());
+    for (int number = 1; number <= most; ++number) {
+        const std::string field = fmt::format("NID{}", number);
+        const Id id = record.integer(field);
+        if (id == 0 && number > 1) continue;
+        const auto found = std::find(ids.begin(), ids.end(), id);
+        if (found == ids.end()) reject_field(record, field, fmt::format("there is no node {}", id));
+        rule.nodes.push_back(static_cast<Index>(found - ids.begin()));
+    }
+}
+
+void set_frame(const Model& model, const Record& group, const Record& record, MeshMotion::Rule& rule)
+{
+    const Id held = group.integer("BCROT");
+    if (held == 7) {
+        rule.kind = MeshMotion::Kind::node;
+        set_nodes(model, record, 1, rule);
+        return;
+    }
+    if (held != 0)
+        reject_field(group, "BCROT",
+                     fmt::format("{} would let the mesh turn about some axes only; there are 0 with its "
+                                 "nodes and 7 not at all",
+                                 held));
+    rule.kind = MeshMotion::Kind::frame;
+    set_nodes(model, record, 3, rule);
+    const auto& x = model.nodes.position;
+    const bool spanned = rule.nodes.size() == 3 && norm(cross(x[rule.nodes[1]] - x[rule.nodes[0]],
+                                                              x[rule.nodes[2]] - x[rule.nodes[0]])) > 0;
+    if (!spanned)
+        reject_field(record, "NID3", "a mesh that turns with its nodes wants three that span a plane");
 }
 
 /// type_field, id_field  of `record`, which say how the mesh moves and by what
@@ -67,16 +92,17 @@ MeshMotion::Rule rule_of(const Model& model, const Record& group, const Record& 
         rule.kind = MeshMotion::Kind::average;
         break;
     case 5:
-        rule.kind = MeshMotion::Kind::node;
-        if (group.integer("BCROT") != 7)
-            reject_field(group, "BCROT",
-                         "a mesh is moved with the nodes of its reference system, but not turned; 7 says so");
-        set_node(model, by("ALE_REFERENCE_SYSTEM_NODE"), rule);
+        set_frame(model, group, by("ALE_REFERENCE_SYSTEM_NODE"), rule);
+        break;
+    case 7:
+        rule.kind = MeshMotion::Kind::extent;
+        set_nodes(model, by("ALE_REFERENCE_SYSTEM_NODE"), 12, rule);
         break;
     default:
         reject_field(record, type_field,
                      fmt::format("{} is not supported; there are 0 no motion, 3 by curves, 4 with the mean "
-                                 "velocity of the fluid, 5 with a node, and 6 of these one after the other",
+                                 "velocity of the fluid, 5 with nodes, 7 as the box around nodes, and 6 of "
+                                 "these one after the other",
                                  type));
     }
     return rule;
@@ -94,6 +120,16 @@ void set_switch(const Model& model, const Record& group, MeshMotion& motion)
         if (!(time > (motion.until.empty() ? 0 : motion.until.back()))) break;
         motion.until.push_back(time);
     }
+}
+
+/// Axes that a constraint code holds, bits 1, 2, 4.
+unsigned constraint(const Record& record, const std::string& field)
+{
+    constexpr unsigned held[] = {0, 1, 2, 4, 3, 6, 5, 7}; // x, y, z, xy, yz, zx, xyz
+    const Id code = record.integer(field);
+    if (code < 0 || code > 7)
+        reject_field(record, field, fmt::format("{} is not a constraint code from 0 to 7", code));
+    return held[code];
 }
 
 bool moves(const Model& model, const Record& group, const MeshBlock& block)
@@ -114,18 +150,32 @@ bool MeshMotion::moves() const
     return std::any_of(rules.begin(), rules.end(), [](const Rule& rule) { return rule.kind != Kind::none; });
 }
 
+bool MeshMotion::deforms() const
+{
+    return std::any_of(rules.begin(), rules.end(), [](const Rule& rule) {
+        if (rule.kind == Kind::frame || rule.kind == Kind::extent) return true;
+        for (int number = 0; number < 12; ++number)
+            if (number % 4 != 0 && rule.curves[number] != none) return true;
+        return false;
+    });
+}
+
+std::size_t MeshMotion::rule_number(double time) const
+{
+    return std::upper_bound(until.begin(), until.end(), time) - until.begin();
+}
+
 std::array<double, 3> MeshMotion::velocity(const Model& model, const Fluid& fluid,
                                            const std::vector<Vec3>& nodes, double time) const
 {
-    const Rule& rule = rules[std::upper_bound(until.begin(), until.end(), time) - until.begin()];
+    const Rule& rule = rules[rule_number(time)];
     std::array<double, 3> result{};
     double mass = 0;
     switch (rule.kind) {
-    case Kind::none:
-        break;
     case Kind::curves:
         for (int axis = 0; axis < 3; ++axis)
-            if (rule.curves[axis] != none) result[axis] = curve_value(model, rule.curves[axis], time);
+            if (const Index curve = rule.curves[4 * axis]; curve != none)
+                result[axis] = curve_value(model, curve, time);
         break;
     case Kind::average:
         for (int group = 0; group < static_cast<int>(fluid.groups.size()); ++group)
@@ -135,11 +185,124 @@ std::array<double, 3> MeshMotion::velocity(const Model& model, const Fluid& flui
         for (double& component : result) component /= mass;
         break;
     case Kind::node:
-        result = {nodes[rule.node].x, nodes[rule.node].y, nodes[rule.node].z};
+        result = {nodes[rule.nodes[0]].x, nodes[rule.nodes[0]].y, nodes[rule.nodes[0]].z};
+        break;
+    case Kind::none:
+    case Kind::frame:
+    case Kind::extent:
         break;
     }
     for (int axis = 0; axis < 3; ++axis)
         if (held & (1u << axis)) result[axis] = 0;
+    return result;
+}
+
+namespace {
+
+void set_axis(Vec3& vector, int axis, double value)
+{
+    vector.*vector_component[axis] = value;
+}
+
+/// The motion v = f + G (x - centre) by the rule of the midpoint, of second order in time:
+/// x' = x + dt (1 + dt / 2 G) (f + G (x - centre)).
+AffineStep step_by_curves(const MeshMotion& motion, const MeshMotion::Rule& rule, const Model& model,
+                          double middle, double step)
+{
+    Vec3 flow{};
+    double slope[3][3] = {};
+    for (int row = 0; row < 3; ++row) {
+        const auto value = [&](int column) {
+            const Index curve = rule.curves[4 * row + column];
+            return curve == none || (motion.held & (1u << row)) ? 0 : curve_value(model, curve, middle);
+        };
+        set_axis(flow, row, value(0));
+        for (int column = 0; column < 3; ++column) slope[row][column] = value(column + 1);
+    }
+    AffineStep result;
+    result.from = result.to = motion.centre;
+    const double offset[3] = {flow.x, flow.y, flow.z};
+    for (int row = 0; row < 3; ++row) {
+        double along = offset[row];
+        for (int column = 0; column < 3; ++column) {
+            double square = 0;
+            for (int k = 0; k < 3; ++k) square += slope[row][k] * slope[k][column];
+            result.gradient[row].*vector_component[column] +=
+                step * (slope[row][column] + 0.5 * step * square);
+            along += 0.5 * step * slope[row][column] * offset[column];
+        }
+        result.to.*vector_component[row] += step * along;
+    }
+    return result;
+}
+
+std::array<Vec3, 3> axes_of(const std::vector<Vec3>& nodes)
+{
+    const Vec3 x = unit(nodes[1] - nodes[0]), z = unit(cross(x, nodes[2] - nodes[0]));
+    return {x, cross(z, x), z};
+}
+
+AffineStep step_of_frame(const std::vector<Vec3>& before, const std::vector<Vec3>& after)
+{
+    AffineStep result;
+    result.from = before[0];
+    result.to = after[0];
+    const std::array<Vec3, 3> old = axes_of(before), now = axes_of(after);
+    for (int row = 0; row < 3; ++row) {
+        result.gradient[row] = {};
+        for (int axis = 0; axis < 3; ++axis)
+            result.gradient[row] += (now[axis].*vector_component[row]) * old[axis];
+    }
+    return result;
+}
+
+/// Of a box that is flat along an axis there is nothing to stretch by.
+AffineStep step_of_extent(const MeshMotion& motion, const std::vector<Vec3>& before,
+                          const std::vector<Vec3>& after)
+{
+    AffineStep result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto component = vector_component[axis];
+        double low[2], high[2];
+        const std::vector<Vec3>* const times[] = {&before, &after};
+        for (int time = 0; time < 2; ++time) {
+            low[time] = high[time] = times[time]->front().*component;
+            for (const Vec3& node : *times[time]) {
+                low[time] = std::min(low[time], node.*component);
+                high[time] = std::max(high[time], node.*component);
+            }
+        }
+        result.from.*component = 0.5 * (low[0] + high[0]);
+        result.to.*component = 0.5 * (low[1] + high[1]);
+        const bool stretches = high[0] - low[0] > 0 && !(motion.stiff & (1u << axis));
+        if (stretches) result.gradient[axis].*component = (high[1] - low[1]) / (high[0] - low[0]);
+    }
+    return result;
+}
+
+} // namespace
+
+AffineStep affine_step(const MeshMotion& motion, const Model& model, double time, double step,
+                       const std::vector<Vec3>& before, const std::vector<Vec3>& after,
+                       const std::array<double, 3>& velocity)
+{
+    const MeshMotion::Rule& rule = motion.rules[motion.rule_number(time)];
+    AffineStep result;
+    switch (rule.kind) {
+    case MeshMotion::Kind::curves:
+        return step_by_curves(motion, rule, model, time + 0.5 * step, step);
+    case MeshMotion::Kind::frame:
+        result = step_of_frame(before, after);
+        break;
+    case MeshMotion::Kind::extent:
+        result = step_of_extent(motion, before, after);
+        break;
+    default:
+        result.to = step * Vec3{velocity[0], velocity[1], velocity[2]};
+        return result;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        if (motion.held & (1u << axis)) set_axis(result.to, axis, result.from.*vector_component[axis]);
     return result;
 }
 
@@ -153,11 +316,11 @@ MeshMotion mesh_motion_of(const Model& model, const MeshBlock& block)
             set_switch(model, record, motion);
         else
             motion.rules.push_back(rule_of(model, record, record, "PRTYPE", "PRID"));
-        constexpr unsigned held[] = {0, 1, 2, 4, 3, 6, 5, 7}; // x, y, z, xy, yz, zx, xyz
-        const Id code = record.integer("BCTRAN");
-        if (code < 0 || code > 7)
-            reject_field(record, "BCTRAN", fmt::format("{} is not a constraint code from 0 to 7", code));
-        motion.held = held[code];
+        motion.held = constraint(record, "BCTRAN");
+        if (std::any_of(motion.rules.begin(), motion.rules.end(),
+                        [](const auto& rule) { return rule.kind == MeshMotion::Kind::extent; }))
+            motion.stiff = constraint(record, "BCEXP");
+        if (motion.deforms()) motion.centre = {record.real("XC"), record.real("YC"), record.real("ZC")};
     }
     return motion;
 }

@@ -131,6 +131,22 @@ void HexFluid::shift(const std::array<double, 3>& distance)
     offset_ += Vec3{distance[0], distance[1], distance[2]};
 }
 
+void HexFluid::move_nodes(std::vector<Vec3> next, double step)
+{
+    motion_.prepare(mesh, std::move(next));
+    wind_.resize(motion_.swept().size());
+    for (std::size_t face = 0; face < wind_.size(); ++face) wind_[face] = motion_.swept()[face] / step;
+}
+
+/// After the nodes have moved. Weights of slopes stay those of the start: they are ratios of lengths along
+/// chords.
+void HexFluid::take_new_measures()
+{
+    layout_.measure(mesh);
+    locator_ = HexLocator(mesh);
+    if (weight_.needed()) weight_ = HexWeight(mesh);
+}
+
 void HexFluid::update_contents()
 {
     activity_.look(fields, true);
@@ -258,7 +274,12 @@ double HexFluid::point_spacing(const Vec3& a, const Vec3& b) const
 void HexFluid::serialise(Archive& archive)
 {
     Fluid::serialise(archive);
-    archive(activity_, offset_);
+    archive(activity_, offset_, wind_);
+    if (wind_.empty()) return;
+    archive(mesh.position);
+    if (!archive.loading()) return;
+    remeasure(mesh);
+    take_new_measures();
 }
 
 } // namespace plash

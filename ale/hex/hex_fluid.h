@@ -6,6 +6,7 @@
 #include "ale/hex/hex_layout.h"
 #include "ale/hex/hex_locator.h"
 #include "ale/hex/hex_mesh.h"
+#include "ale/hex/hex_motion.h"
 #include "ale/hex/hex_sweep.h"
 #include "ale/hex/hex_weight.h"
 
@@ -31,6 +32,7 @@ public:
     std::vector<OuterNode> outer_nodes() const override;
     void close_curved_walls() override;
     void shift(const std::array<double, 3>& distance) override;
+    void move_nodes(std::vector<Vec3> next, double step) override;
 
     MeshPoint locate(const Vec3& point, const std::array<int, 3>& guess) const override;
     std::ptrdiff_t place_of(const MeshPoint& point) const override { return point.cell[0]; }
@@ -65,6 +67,8 @@ private:
     HexActivity activity_;
     HexLocator locator_;
     HexWeight weight_;
+    HexMotion motion_;
+    AlignedDoubles wind_;    ///< by which a mesh that deforms passes its faces [volume/time]; else empty
     Vec3 offset_{};          ///< that the mesh has moved [length]
     double common_size_ = 0; ///< median of the smallest widths of cells [length]
 
@@ -91,6 +95,7 @@ private:
     std::vector<std::uint8_t> still_nodes_, still_cells_; ///< batches without motion, without pressure
 
     bool mesh_moves() const;
+    void take_new_measures();
     bool weighs() const;
     const AlignedDoubles& seen() const { return mesh_moves() ? face_seen_ : face_rate_; }
     void find_face_rates(const std::array<AlignedDoubles, 3>& velocity, double step);

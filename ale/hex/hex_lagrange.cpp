@@ -158,14 +158,15 @@ double HexFluid::work_on_sides() const
 bool HexFluid::mesh_moves() const
 {
     const auto& velocity = lagrange.mesh_velocity;
-    return velocity[0] != 0 || velocity[1] != 0 || velocity[2] != 0;
+    return !wind_.empty() || velocity[0] != 0 || velocity[1] != 0 || velocity[2] != 0;
 }
 
-/// Growth of cells comes from face_rate_; what passes a face is seen from the moving mesh.
+/// Growth of cells comes from face_rate_; what passes a face is seen from the moving mesh, whose wind is that
+/// of this step, or the last one once it is over.
 /// step  over which volumes pass; zero: only the rates are wanted, of faces of cells that hold fluid
 void HexFluid::find_face_rates(const std::array<AlignedDoubles, 3>& velocity, double step)
 {
-    const bool moves = mesh_moves();
+    const bool moves = mesh_moves(), deforms = !wind_.empty();
     if (moves) face_seen_.resize(face_rate_.size());
     for_chunks(mesh.faces.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; i += lane_count) {
@@ -177,9 +178,10 @@ void HexFluid::find_face_rates(const std::array<AlignedDoubles, 3>& velocity, do
                 for (int axis = 0; axis < 3; ++axis) {
                     const Lanes area = load<Lanes>(&layout_.face_area[n][axis][i]);
                     rate += area * gather(velocity[axis].data(), nodes);
-                    if (moves) wind += area * lagrange.mesh_velocity[axis];
+                    if (moves && !deforms) wind += area * lagrange.mesh_velocity[axis];
                 }
             }
+            if (deforms) wind = load<Lanes>(&wind_[i]);
             store(&face_rate_[i], rate);
             if (moves) store(&face_seen_[i], rate - wind);
             if (step > 0) store(&volume_flux_[i], step * (rate - wind));

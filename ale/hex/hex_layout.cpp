@@ -27,46 +27,32 @@ void lay_out_nodes(HexLayout& layout, const HexMesh& mesh)
             }
             HexLayout::Corner& own = layout.corners[column];
             own.cell.place[node] = cell;
-            Vec3 area{};
-            for (int axis = 0; axis < 3; ++axis) {
-                const int side = corner >> axis & 1;
-                const HexFace& face = mesh.faces[mesh.cell_faces[cell][2 * axis + side]];
-                const auto there = std::find(face.nodes.begin(), face.nodes.end(), static_cast<Index>(node));
-                area += (side == 1 ? 1.0 : -1.0) * face.area[there - face.nodes.begin()];
-            }
-            own.area[0][node] = area.x;
-            own.area[1][node] = area.y;
-            own.area[2][node] = area.z;
         }
     }
     for (HexLayout::Corner& corner : layout.corners) {
         corner.cell.place.resize(nodes, nobody);
         corner.cell.pad(nobody);
     }
-    for (AlignedDoubles& component : layout.outer_area) component.resize(nodes, 0.0);
-    for (const HexFace& face : mesh.faces) {
-        if (face.below != none && face.above != none) continue;
-        const double outward = face.above == none ? 1 : -1;
-        for (int n = 0; n < 4; ++n) {
-            layout.outer_area[0][face.nodes[n]] += outward * face.area[n].x;
-            layout.outer_area[1][face.nodes[n]] += outward * face.area[n].y;
-            layout.outer_area[2][face.nodes[n]] += outward * face.area[n].z;
-        }
+}
+
+/// Derivative of a cell's volume by one of its corners [length^2].
+Vec3 corner_area(const HexMesh& mesh, std::size_t cell, int corner)
+{
+    const Index node = mesh.corners[cell][corner];
+    Vec3 area{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const int side = corner >> axis & 1;
+        const HexFace& face = mesh.faces[mesh.cell_faces[cell][2 * axis + side]];
+        const auto there = std::find(face.nodes.begin(), face.nodes.end(), node);
+        area += (side == 1 ? 1.0 : -1.0) * face.area[there - face.nodes.begin()];
     }
+    return area;
 }
 
 void lay_out_faces(HexLayout& layout, const HexMesh& mesh)
 {
     for (int n = 0; n < 4; ++n) {
-        for (AlignedDoubles& component : layout.face_area[n])
-            component.resize(padded(mesh.faces.size()), 0.0);
-        for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-            const Vec3& area = mesh.faces[i].area[n];
-            layout.face_nodes[n].place.push_back(mesh.faces[i].nodes[n]);
-            layout.face_area[n][0][i] = area.x;
-            layout.face_area[n][1][i] = area.y;
-            layout.face_area[n][2][i] = area.z;
-        }
+        for (const HexFace& face : mesh.faces) layout.face_nodes[n].place.push_back(face.nodes[n]);
         layout.face_nodes[n].pad(0);
     }
 }
@@ -92,11 +78,6 @@ void lay_out_cells(HexLayout& layout, const HexMesh& mesh)
             layout.cell_nodes[corner].place.push_back(mesh.corners[cell][corner]);
         layout.cell_nodes[corner].place.resize(cells, static_cast<Index>(mesh.nodes()));
         layout.cell_nodes[corner].pad(0);
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        layout.width[axis].resize(cells, 1.0);
-        for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
-            layout.width[axis][cell] = mesh.width[cell][axis];
     }
 }
 
@@ -125,6 +106,42 @@ HexLayout::HexLayout(const HexMesh& mesh)
     lay_out_nodes(*this, mesh);
     lay_out_faces(*this, mesh);
     lay_out_cells(*this, mesh);
+    measure(mesh);
+}
+
+void HexLayout::measure(const HexMesh& mesh)
+{
+    const std::size_t nodes = padded(mesh.nodes() + 1), cells = padded(mesh.cells() + 1);
+    for (Corner& column : corners) {
+        for (std::size_t node = 0; node < mesh.nodes(); ++node) {
+            const Index cell = column.cell.place[node];
+            if (cell == static_cast<Index>(mesh.cells())) continue;
+            const HexCorners& own = mesh.corners[cell];
+            const auto corner = std::find(own.begin(), own.end(), static_cast<Index>(node)) - own.begin();
+            const Vec3 area = corner_area(mesh, cell, static_cast<int>(corner));
+            column.area[0][node] = area.x;
+            column.area[1][node] = area.y;
+            column.area[2][node] = area.z;
+        }
+    }
+    for (AlignedDoubles& component : outer_area) component.assign(nodes, 0.0);
+    for (int n = 0; n < 4; ++n)
+        for (AlignedDoubles& component : face_area[n]) component.assign(padded(mesh.faces.size()), 0.0);
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        const HexFace& face = mesh.faces[i];
+        const double outward = face.below != none && face.above != none ? 0 : face.above == none ? 1 : -1;
+        for (int n = 0; n < 4; ++n) {
+            const double parts[3] = {face.area[n].x, face.area[n].y, face.area[n].z};
+            for (int axis = 0; axis < 3; ++axis) {
+                face_area[n][axis][i] = parts[axis];
+                outer_area[axis][face.nodes[n]] += outward * parts[axis];
+            }
+        }
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        width[axis].assign(cells, 1.0);
+        for (std::size_t cell = 0; cell < mesh.cells(); ++cell) width[axis][cell] = mesh.width[cell][axis];
+    }
 }
 
 } // namespace plash

@@ -27,6 +27,8 @@ struct HexLayout {
     std::array<AlignedDoubles, 3> width; ///< of cells [length]
 
     explicit HexLayout(const HexMesh& mesh);
+    /// Areas and widths anew, of a mesh without closed faces whose nodes have moved.
+    void measure(const HexMesh& mesh);
     /// Takes the areas of an outer face away: nothing passes it, and no pressure acts on it.
     void close(const HexMesh& mesh, std::size_t face);
 };

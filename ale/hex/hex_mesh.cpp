@@ -294,6 +294,22 @@ void make_faces(HexMesh& mesh, const Neighbours& neighbours)
     }
 }
 
+void list_corners_of_nodes(HexMesh& mesh)
+{
+    mesh.first_corner.assign(mesh.nodes() + 1, 0);
+    for (const HexCorners& corners : mesh.corners)
+        for (Index node : corners) ++mesh.first_corner[node + 1];
+    for (std::size_t node = 0; node < mesh.nodes(); ++node)
+        mesh.first_corner[node + 1] += mesh.first_corner[node];
+    mesh.node_corner.resize(8 * mesh.cells());
+    std::vector<std::size_t> next(mesh.first_corner.begin(), mesh.first_corner.end() - 1);
+    for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
+        for (int corner = 0; corner < 8; ++corner)
+            mesh.node_corner[next[mesh.corners[cell][corner]]++] = static_cast<Index>(8 * cell + corner);
+}
+
+} // namespace
+
 /// Volumes by the divergence theorem, exact for faces that are bilinear.
 void measure(HexMesh& mesh)
 {
@@ -335,22 +351,6 @@ void measure(HexMesh& mesh)
         if (lowest <= 0 && highest >= 0) throw HexDefect{cell, "it is turned inside out at a corner"};
     }
 }
-
-void list_corners_of_nodes(HexMesh& mesh)
-{
-    mesh.first_corner.assign(mesh.nodes() + 1, 0);
-    for (const HexCorners& corners : mesh.corners)
-        for (Index node : corners) ++mesh.first_corner[node + 1];
-    for (std::size_t node = 0; node < mesh.nodes(); ++node)
-        mesh.first_corner[node + 1] += mesh.first_corner[node];
-    mesh.node_corner.resize(8 * mesh.cells());
-    std::vector<std::size_t> next(mesh.first_corner.begin(), mesh.first_corner.end() - 1);
-    for (std::size_t cell = 0; cell < mesh.cells(); ++cell)
-        for (int corner = 0; corner < 8; ++corner)
-            mesh.node_corner[next[mesh.corners[cell][corner]]++] = static_cast<Index>(8 * cell + corner);
-}
-
-} // namespace
 
 std::array<int, 4> corners_of_face(int axis, int side)
 {

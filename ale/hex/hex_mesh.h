@@ -59,6 +59,9 @@ struct HexDefect {
 /// Builds the mesh; throws HexDefect.
 HexMesh make_hex_mesh(std::vector<Vec3> position, std::vector<HexCorners> corners);
 
+/// Volumes, edges and widths of all cells; throws HexDefect.
+void measure(HexMesh& mesh);
+
 /// Numbers of the corners of the face on a side of an axis, so that a walk along their order goes around it.
 std::array<int, 4> corners_of_face(int axis, int side);
 

@@ -209,6 +209,10 @@ double HexFluid::sweep()
         move_momentum(sweep, direction, second_order);
         activity_.look(fields, false);
     }
+    if (motion_.prepared()) {
+        motion_.move(mesh);
+        take_new_measures();
+    }
     return left;
 }
 

@@ -293,20 +293,23 @@ TEST(AleDeck, MeshFollowsANodeWhenItsTimeHasCome)
     EXPECT_NEAR(middle.y, 0.5, 1e-9);
 }
 
-// A reference system of nodes turns; a mesh does not, and BCROT = 7 must say so.
-TEST(AleDeck, MeshThatWouldHaveToTurnIsRefused)
+// Meshes that turn with nodes do so about all axes or not at all; Lagrangian meshes and smoothed ones are not
+// there.
+TEST(AleDeck, MeshMotionsThatAreNotThereAreRefused)
 {
     const auto deck = [](int held, int type) {
         return testing::structured_mesh({0, 0, 0}, {1, 1, 1}, {2, 2, 2}) +
                testing::liquid_and_void(1000, 100) +
                fmt::format("*ALE_REFERENCE_SYSTEM_GROUP\n10,1,{},7,0,0,{}\n\n"
-                           "*ALE_REFERENCE_SYSTEM_NODE\n7\n1,2,3\n\n",
+                           "*ALE_REFERENCE_SYSTEM_NODE\n7\n1,2,4\n\n",
                            type, held) +
-               testing::closed(1);
+               "*CONTROL_ALE\n-1,1,2,-1\n*CONTROL_TERMINATION\n1\n*END\n";
     };
     EXPECT_NO_THROW(EulerianRun(deck(7, 5)));
-    EXPECT_THROW(EulerianRun(deck(0, 5)), DeckError);
-    EXPECT_THROW(EulerianRun(deck(7, 1)), DeckError); // a Lagrangian mesh
+    EXPECT_NO_THROW(EulerianRun(deck(0, 5)));
+    EXPECT_THROW(EulerianRun(deck(3, 5)), DeckError);
+    EXPECT_THROW(EulerianRun(deck(7, 1)), DeckError);
+    EXPECT_THROW(EulerianRun(deck(7, 2)), DeckError);
 }
 
 // A container fills the cells that its surface cuts with fluid of its own velocity; the empty rest of them

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ale/hex/hex_mesh.h"
+#include "math/aligned.h"
+
+#include <span>
+
+namespace plash {
+
+/// Moves the nodes of a mesh, step by step and each on its own.
+///
+/// What a face sweeps while its nodes go straight from x to x + d is the integral over the way of the areas
+/// N_i n dA times d_i. Areas are of second degree in the way, so that two points of Gauss are exact, and the
+/// volumes swept by the faces of a cell add up to the change of its volume to round-off: the geometric
+/// conservation law (Thomas & Lombard 1979, AIAA J. 17, 1030-1037), without which uniform flow would not stay
+/// uniform on a mesh that turns or is stretched.
+class HexMotion {
+public:
+    /// Volumes that the faces will sweep, from below to above, until the nodes are at `next` [length^3].
+    void prepare(const HexMesh& mesh, std::vector<Vec3> next);
+    bool prepared() const { return !next_.empty(); }
+    const AlignedDoubles& swept() const { return swept_; }
+    /// Puts the nodes there and measures the mesh anew. HexDefect where a cell has lost its volume.
+    void move(HexMesh& mesh);
+
+private:
+    std::vector<Vec3> next_;
+    AlignedDoubles swept_;
+};
+
+/// Measures faces and cells of a mesh whose nodes have moved.
+void remeasure(HexMesh& mesh);
+
+} // namespace plash
