@@ -2,6 +2,7 @@
 
 #include "ale/mixture.h"
 #include "materials/null_fluid.h"
+#include "materials/parameters.h"
 #include "model/eulerian.h"
 
 #include <algorithm>
@@ -15,6 +16,18 @@ namespace {
 bool is_vacuum(const Record& material)
 {
     return material.keyword == "MAT_VACUUM" || material.keyword == "MAT_ALE_VACUUM";
+}
+
+/// *MAT_ALE_VISCOUS: *MAT_NULL with the viscosity under another name, as long as that is constant.
+NullFluid viscous_fluid(const Record& record)
+{
+    if (record.real("MUHI") != 0 || record.real("MULO") < 0)
+        reject_field(
+            record, record.real("MUHI") != 0 ? "MUHI" : "MULO",
+            "viscosity that depends on the rate of shear is not supported; there is a constant MULO");
+    NullFluid fluid = NullFluid::from_record(record); // RO and PC
+    fluid.viscosity = record.real("MULO");
+    return fluid;
 }
 
 /// Energies of the laws stand by reference volume; E0 belongs to the density at the start.
@@ -34,17 +47,18 @@ void set_material(DeckGroup& group, const Record& material, const Record* equati
         material.real("RHO"); // nothing has no density: LS-DYNA does not use it either
         return;
     }
-    if (material.keyword != "MAT_NULL") {
+    const bool viscous = material.keyword == "MAT_ALE_VISCOUS";
+    if (material.keyword != "MAT_NULL" && !viscous) {
         throw DeckError(material.where,
                         fmt::format("*{} {} is not supported in an Eulerian mesh (group '{}'); there are "
-                                    "*MAT_NULL and *MAT_VACUUM",
+                                    "*MAT_NULL, *MAT_ALE_VISCOUS and *MAT_VACUUM",
                                     material.keyword, material.id, group.name));
     }
     if (!equation_of_state) {
-        throw DeckError(where, fmt::format("the fluid '{}' has *MAT_NULL {} but no equation of state",
-                                           group.name, material.id));
+        throw DeckError(where, fmt::format("the fluid '{}' has *{} {} but no equation of state", group.name,
+                                           material.keyword, material.id));
     }
-    const NullFluid fluid = NullFluid::from_record(material);
+    const NullFluid fluid = viscous ? viscous_fluid(material) : NullFluid::from_record(material);
     group.fluid = 0; // numbered later
     group.law.reference_density = fluid.density;
     group.law.viscosity = fluid.viscosity;

@@ -1,5 +1,7 @@
 #include "ale/fluid.h"
 
+#include "ale/absorbing_nodes.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -118,10 +120,17 @@ void Fluid::advance(double step, double impulse_step)
 {
     const double gravity_work = accelerate(step);
     const OutsideWork by_loads = push_nodes(fields, loads, step, step, gravity);
+    double absorbed = 0; // correction of gravity's work
+    if (!absorbing.empty()) {
+        find_absorbing_forces(fields, absorbing, step, outside_pressure, absorbing_forces_);
+        absorbed = push_nodes(fields, absorbing_forces_, step, step, gravity).gravity;
+    }
     const OutsideWork outside =
         apply_outside(fields, outside_forces, held, slipping, step, impulse_step, gravity);
     energies_.outside_work += gravity_work + outside.gravity + outside.driving + further_gravity_work(step);
     if (!loads.empty()) energies_.outside_work += by_loads.gravity + work_of_forces(fields, loads, step);
+    if (!absorbing.empty())
+        energies_.outside_work += absorbed + work_of_forces(fields, absorbing_forces_, step);
     energies_.coupling_work += outside.forces;
     deform(step);
     if (outside_pressure != 0) energies_.outside_work += work_on_sides();
@@ -154,7 +163,7 @@ double Fluid::sum_internal() const
 
 void Fluid::serialise(Archive& archive)
 {
-    archive(fields, limit_.rate, limit_.place, energies_, steps_, lagrange.mesh_velocity);
+    archive(fields, limit_.rate, limit_.place, energies_, steps_, lagrange.mesh_velocity, absorbing);
 }
 
 } // namespace plash

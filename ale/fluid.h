@@ -47,6 +47,16 @@ struct DryFace {
     unsigned fluids;     ///< bit g for fluid g
 };
 
+/// A node of an outer face from which waves do not come back: the outside presses with what the fluid had at
+/// the start and resists its motion along the normal with density times speed of sound (Lysmer & Kuhlemeyer
+/// 1969, J. Eng. Mech. Div. 95, 859-877, eq. 5: exact for sound that arrives along the normal).
+struct AbsorbingNode {
+    std::ptrdiff_t place = 0;
+    Vec3 area{};          ///< outward [length^2]
+    Vec3 pressure_area{}; ///< sum of pressure at the start times area [force]
+    double damping = 0;   ///< sum of density times speed of sound times area [force/velocity]
+};
+
 /// An Eulerian fluid on a mesh, whose kind is that of the class derived from this one (BoxFluid, HexFluid):
 /// state, step and energies. All times t_n; see ale/lagrange.h and ale/remap.h for the two halves of a step.
 class Fluid {
@@ -64,6 +74,7 @@ public:
     std::vector<NodeForceFromOutside> outside_forces; ///< of the coming step; the owner fills and clears it
     std::vector<DryFace> dry_faces;                   ///< likewise
     std::vector<NodeForceFromOutside> loads;          ///< likewise, but on the fluid alone, over its own step
+    std::vector<AbsorbingNode> absorbing;
 
     virtual ~Fluid() = default;
     Fluid(Fluid&&) = default;
@@ -160,6 +171,7 @@ private:
     CrossingRate limit_;
     FluidEnergies energies_;
     long steps_ = 0;
+    std::vector<NodeForceFromOutside> absorbing_forces_; ///< of the present step
 
     /// Cells in a kept state, and that state by group: mass, energy, fraction.
     std::vector<std::ptrdiff_t> ambient_places_;

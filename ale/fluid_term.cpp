@@ -1,5 +1,6 @@
 #include "ale/fluid_term.h"
 
+#include "ale/absorbing_nodes.h"
 #include "ale/hex/hex_fluid.h"
 #include "ale/hydrostatic.h"
 #include "ale/initial_state.h"
@@ -153,6 +154,11 @@ void EulerianFluid::start(State& state)
     boundary_.follow(model_, 0, 0);
     fluid_->held = boundary_.held;
     fluid_->start();
+    fluid_->absorbing = absorbing_nodes_of(*fluid_, block_, model_);
+    if (!fluid_->absorbing.empty() && motion_.moves())
+        throw DeckError(
+            model_.non_reflecting_boundaries.front().where,
+            "*BOUNDARY_NON_REFLECTING lies on an Eulerian mesh that moves; there it has no place");
     started_ = true;
 }
 

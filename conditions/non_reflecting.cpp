@@ -1,6 +1,7 @@
 #include "conditions/non_reflecting.h"
 
 #include "core/parallel.h"
+#include "model/eulerian.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +62,7 @@ NonReflecting::NonReflecting(const Model& model, const State& state)
     for (const NonReflectingBoundary& boundary : model.non_reflecting_boundaries) {
         for (const SegmentNodes& segment : boundary.segments) {
             const Index number = part_under(segment, model, solids_of_node);
+            if (number != none && is_eulerian(model, number)) continue; // the fluid sees to it
             const Part* part = number == none ? nullptr : &model.parts[number];
             if (!part || part->material == none) {
                 throw DeckError(

@@ -1,4 +1,5 @@
 #include "ale/hex/hex_fluid.h"
+#include "ale/tracers.h"
 #include "tests/support/ale_deck.h"
 
 #include <gtest/gtest.h>
@@ -158,6 +159,43 @@ TEST(AleMovingMesh, MeshIsStretchedAsTheBoxAroundItsNodes)
     EXPECT_NEAR(mass_after, mass, 1e-12 * mass);
     EXPECT_LT(norm(after - before), 0.01);
     EXPECT_LT(run.scene().ledger.balance_error(), 1e-9);
+}
+
+// A run that goes on from a restart file has the bits of the whole run: places of the mesh and of tracers in
+// it, what its faces swept last, and the fluid.
+TEST(AleMovingMesh, RestartGoesOnWithTheSameBits)
+{
+    const double gradient[3][3] = {{1.5, -6, 0.5}, {6, -1, 0.7}, {0.3, 1, 2}};
+    const std::string deck = cube(6, 0.05) + testing::liquid_and_void(1000, 30) +
+                             "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n6,0,1,3,-2,1\n0,0,0,0.7\n" +
+                             by_gradient(gradient, {5, 1, -2}) +
+                             "*DATABASE_TRACER\n0,0,0.1,0.2,0.3\n*DATABASE_TRHIST\n0.01\n"
+                             "*DATABASE_BINARY_D3DUMP\n7\n"
+                             "*CONTROL_ALE\n-1,1,2,-1\n*CONTROL_TERMINATION\n0.05\n*END\n";
+    const testing::TemporaryFolder folder;
+    RunOptions whole, rest;
+    whole.restart.directory = folder.path().string();
+    rest.restart_from = folder / "d3dump01";
+    Recorders recorders;
+    EulerianRun first(deck), second(deck);
+    ASSERT_EQ(plash::run(first.scene(), recorders, whole).termination, Outcome::Termination::normal);
+    const Outcome outcome = plash::run(second.scene(), recorders, rest);
+    ASSERT_EQ(outcome.termination, Outcome::Termination::normal);
+    EXPECT_GT(outcome.clock.cycle, 7);
+    const auto& one = dynamic_cast<const HexFluid&>(first.term<EulerianFluid>().fluid());
+    const auto& two = dynamic_cast<const HexFluid&>(second.term<EulerianFluid>().fluid());
+    EXPECT_EQ(one.fields.velocity[0], two.fields.velocity[0]);
+    EXPECT_EQ(one.fields.groups[0].mass, two.fields.groups[0].mass);
+    for (std::size_t node = 0; node < one.node_count(); ++node)
+        ASSERT_EQ(norm(one.mesh.position[node] - two.mesh.position[node]), 0);
+    ElementResults states[2];
+    for (int run = 0; run < 2; ++run) {
+        states[run].tracers_wanted = true;
+        EulerianRun& its = run == 0 ? first : second;
+        its.term<Tracers>().collect(its.scene().state, states[run]);
+    }
+    EXPECT_EQ(norm(states[0].tracers[0].place - states[1].tracers[0].place), 0);
+    EXPECT_TRUE(states[0].tracers[0].active);
 }
 
 // Walls that hold the fluid do not turn with a mesh, and the deck is told so.
