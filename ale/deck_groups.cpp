@@ -1,5 +1,6 @@
 #include "ale/deck_groups.h"
 
+#include "ale/gas_mixture.h"
 #include "ale/mixture.h"
 #include "materials/null_fluid.h"
 #include "materials/parameters.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 
 namespace plash {
@@ -41,17 +43,23 @@ void set_law(DeckGroup& group, const Record& record, const NullFluid& fluid)
 }
 
 /// Law and state at the start from a material and an equation of state.
-void set_material(DeckGroup& group, const Record& material, const Record* equation_of_state, Location where)
+/// number  of the group in the deck, from 1
+void set_material(const Model& model, DeckGroup& group, std::size_t number, const Record& material,
+                  const Record* equation_of_state, Location where)
 {
     if (is_vacuum(material)) {
         material.real("RHO"); // nothing has no density: LS-DYNA does not use it either
+        return;
+    }
+    if (material.keyword == "MAT_ALE_GAS_MIXTURE") {
+        set_gas_mixture(group, material, model, static_cast<Id>(number));
         return;
     }
     const bool viscous = material.keyword == "MAT_ALE_VISCOUS";
     if (material.keyword != "MAT_NULL" && !viscous) {
         throw DeckError(material.where,
                         fmt::format("*{} {} is not supported in an Eulerian mesh (group '{}'); there are "
-                                    "*MAT_NULL, *MAT_ALE_VISCOUS and *MAT_VACUUM",
+                                    "*MAT_NULL, *MAT_ALE_VISCOUS, *MAT_ALE_GAS_MIXTURE and *MAT_VACUUM",
                                     material.keyword, material.id, group.name));
     }
     if (!equation_of_state) {
@@ -75,7 +83,7 @@ void set_material(DeckGroup& group, const Record& material, const Record* equati
     }
 }
 
-void set_material_of_part(const Model& model, DeckGroup& group)
+void set_material_of_part(const Model& model, DeckGroup& group, std::size_t number)
 {
     const Part& part = model.parts[group.parts.front()];
     if (part.material == none)
@@ -83,7 +91,7 @@ void set_material_of_part(const Model& model, DeckGroup& group)
                         fmt::format("*PART {} is in an Eulerian group but has no material", part.id));
     const Record* equation_of_state =
         part.equation_of_state == none ? nullptr : &model.equations_of_state[part.equation_of_state];
-    set_material(group, model.materials[part.material], equation_of_state, part.where);
+    set_material(model, group, number, model.materials[part.material], equation_of_state, part.where);
 }
 
 template <class Records>
@@ -114,7 +122,7 @@ void add_multi_material_groups(const Model& model, std::vector<DeckGroup>& group
                 throw DeckError(record.where, fmt::format("*{}, field MID: there is no material {}",
                                                           record.keyword, record.integer("MID")));
             const Record* law = find_record(model.equations_of_state, record.integer("EOSID"));
-            set_material(group, *material, law, record.where);
+            set_material(model, group, groups.size() + 1, *material, law, record.where);
             groups.push_back(std::move(group));
             continue;
         } else {
@@ -123,7 +131,7 @@ void add_multi_material_groups(const Model& model, std::vector<DeckGroup>& group
         if (group.parts.empty())
             throw DeckError(record.where, fmt::format("*{}: the group has no part", record.keyword));
         if (group.name.empty()) group.name = model.parts[group.parts.front()].title;
-        set_material_of_part(model, group);
+        set_material_of_part(model, group, groups.size() + 1);
         groups.push_back(std::move(group));
     }
 }
@@ -159,7 +167,7 @@ void add_single_material_groups(const Model& model, DeckGroups& result)
         DeckGroup group;
         group.name = part.title;
         group.parts = {static_cast<Index>(index)};
-        set_material_of_part(model, group);
+        set_material_of_part(model, group, 1);
         result.groups.push_back(std::move(group));
     }
 }
@@ -187,6 +195,36 @@ int DeckGroups::vacuum() const
     for (std::size_t i = 0; i < groups.size(); ++i)
         if (groups[i].fluid == none) return static_cast<int>(i);
     return none;
+}
+
+unsigned fluids_of_set(const Model& model, const Record& record, const std::string& field, Id id,
+                       const DeckGroups& groups)
+{
+    const auto group_at = [&](const Table& table, std::size_t row) -> const DeckGroup* {
+        const Id number =
+            table.text.empty() ? std::llround(table.at(row, 0)) : std::atol(table.text[row].c_str());
+        if (number > 0 && number <= static_cast<Id>(groups.groups.size())) return &groups.groups[number - 1];
+        for (const DeckGroup& group : groups.groups)
+            if (!table.text.empty() && group.name == table.text[row]) return &group;
+        return nullptr;
+    };
+    for (const Record& set : model.others) {
+        if (!set.keyword.starts_with("SET_MULTI") || set.id != id) continue;
+        unsigned mask = 0;
+        const Table* table = set.table("AMMGID");
+        for (std::size_t row = 0; table && row < table->rows(); ++row) {
+            const std::string name =
+                table->text.empty() ? fmt::format("{:g}", table->at(row, 0)) : table->text[row];
+            if (name.empty() || name == "0") continue;
+            const DeckGroup* group = group_at(*table, row);
+            if (!group)
+                throw DeckError(set.where,
+                                fmt::format("*{} {}: there is no group {}", set.keyword, id, name));
+            if (group->fluid != none) mask |= 1u << group->fluid;
+        }
+        return mask;
+    }
+    reject_field(record, field, fmt::format("there is no *SET_MULTI-MATERIAL_GROUP_LIST {}", id));
 }
 
 DeckGroups deck_groups_of(const Model& model)

@@ -28,6 +28,11 @@ struct DeckGroups {
     int vacuum() const;
 };
 
+/// The groups of a *SET_MULTI-MATERIAL_GROUP_LIST, by number or by name, as bits of their numbers among the
+/// fluids. DeckError when there is no such set, which `field` of `record` names, or no such group.
+unsigned fluids_of_set(const Model& model, const Record& record, const std::string& field, Id set,
+                       const DeckGroups& groups);
+
 /// DeckError when a group's material or equation of state is not there.
 DeckGroups deck_groups_of(const Model& model);
 

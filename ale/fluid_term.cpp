@@ -53,7 +53,7 @@ EulerianFluid::EulerianFluid(const Model& model, MeshBlock block, DeckGroups gro
       groups_(std::move(groups)),
       fluid_(make_fluid(model, block_, groups_)),
       boundary_(mesh_boundary_of(*fluid_, block_, settings, model)),
-      motion_(mesh_motion_of(model, block_)),
+      motion_(mesh_motion_of(model, block_, groups_)),
       outside_pressure_curve_(settings.outside_pressure_curve)
 {
     fluid_->order = settings.order;
@@ -295,7 +295,7 @@ std::vector<std::unique_ptr<EulerianFluid>> make_eulerian_fluids(const Model& mo
     const auto why_no_box = [&](const std::vector<Index>& solids) {
         MeshBlock block;
         block.solids = solids;
-        return std::string(mesh_motion_of(model, block).deforms() ? "it turns or is stretched" : "");
+        return std::string(mesh_motion_of(model, block, groups).deforms() ? "it turns or is stretched" : "");
     };
     for (MeshBlock& block : find_mesh_blocks(model, why_no_box))
         fluids.push_back(std::make_unique<EulerianFluid>(model, std::move(block), groups, settings));

@@ -143,6 +143,63 @@ bool moves(const Model& model, const Record& group, const MeshBlock& block)
     });
 }
 
+/// Of the mass of some fluids, where a node has an eighth of each of its cells.
+std::array<double, 3> mean_velocity(const Fluid& fluid, unsigned fluids)
+{
+    std::array<double, 3> sum{};
+    double total = 0;
+    for (std::size_t number = 0; number < fluid.cell_count(); ++number) {
+        const FluidCell cell = fluid.cell(number);
+        double mass = 0;
+        for (std::size_t group = 0; group < fluid.groups.size(); ++group)
+            if (fluids >> group & 1) mass += fluid.fields.groups[group].mass[cell.place];
+        if (mass == 0) continue;
+        total += mass;
+        for (const std::ptrdiff_t node : cell.corners)
+            for (int axis = 0; axis < 3; ++axis)
+                sum[axis] += 0.125 * mass * fluid.fields.velocity[axis][node];
+    }
+    for (double& component : sum) component = total > 0 ? component / total : 0;
+    return sum;
+}
+
+/// The part of a structured mesh; none: there is no such mesh.
+Index part_of_mesh(const Model& model, Id mesh)
+{
+    for (const Record& record : model.others)
+        if (record.keyword == "ALE_STRUCTURED_MESH" && record.integer("MSHID") == mesh)
+            return find_part(model, record.integer("DPID"));
+    return none;
+}
+
+/// *ALE_STRUCTURED_MESH_MOTION, FOLLOW_GC: with the centre of mass of the groups of AMMGSID. Symmetry planes
+/// (the digits of ISYM) stay where they are.
+void follow_centre(const Model& model, const Record& record, const MeshBlock& block, const DeckGroups& groups,
+                   MeshMotion& motion)
+{
+    const Index part = part_of_mesh(model, record.integer("MSHID"));
+    if (part == none)
+        reject_field(record, "MSHID",
+                     fmt::format("there is no *ALE_STRUCTURED_MESH {}", record.integer("MSHID")));
+    const bool own = std::any_of(block.solids.begin(), block.solids.end(),
+                                 [&](Index solid) { return model.solids.part[solid] == part; });
+    if (!own) return;
+    const std::string_view option = record.text("OPTION");
+    if (!option.empty() && option != "FOLLOW_GC")
+        reject_field(record, "OPTION", fmt::format("{} is not supported; there is FOLLOW_GC", option));
+    motion = {};
+    MeshMotion::Rule rule;
+    rule.kind = MeshMotion::Kind::average;
+    if (const Id set = record.integer("AMMGSID"); set != 0)
+        rule.fluids = fluids_of_set(model, record, "AMMGSID", set, groups);
+    motion.rules.push_back(rule);
+    Id planes = record.integer("ISYM");
+    for (int axis = 2; axis >= 0; --axis, planes /= 10)
+        if (planes % 10 != 0) motion.held |= 1u << axis;
+    if (motion.held != 0 && !block.is_box())
+        reject_field(record, "ISYM", "the planes of the mesh do not stand across the global axes");
+}
+
 } // namespace
 
 bool MeshMotion::moves() const
@@ -178,6 +235,10 @@ std::array<double, 3> MeshMotion::velocity(const Model& model, const Fluid& flui
                 result[axis] = curve_value(model, curve, time);
         break;
     case Kind::average:
+        if (rule.fluids != ~0u) {
+            result = mean_velocity(fluid, rule.fluids);
+            break;
+        }
         for (int group = 0; group < static_cast<int>(fluid.groups.size()); ++group)
             mass += fluid.total_mass(group);
         if (!(mass > 0)) break;
@@ -306,10 +367,12 @@ AffineStep affine_step(const MeshMotion& motion, const Model& model, double time
     return result;
 }
 
-MeshMotion mesh_motion_of(const Model& model, const MeshBlock& block)
+MeshMotion mesh_motion_of(const Model& model, const MeshBlock& block, const DeckGroups& groups)
 {
     MeshMotion motion;
     for (const Record& record : model.others) {
+        if (record.keyword == "ALE_STRUCTURED_MESH_MOTION")
+            follow_centre(model, record, block, groups, motion);
         if (record.keyword != "ALE_REFERENCE_SYSTEM_GROUP" || !moves(model, record, block)) continue;
         motion = {};
         if (record.integer("PRTYPE") == 6)

@@ -1,18 +1,19 @@
 #pragma once
 
+#include "ale/deck_groups.h"
 #include "ale/fluid.h"
 #include "ale/mesh_block.h"
 
 namespace plash {
 
-/// *ALE_REFERENCE_SYSTEM_GROUP: how an Eulerian mesh is carried along as a whole, whatever flows through it.
-/// Meshes that only translate (`deforms` is false) have one velocity; others are moved from step to step by
-/// an affine map.
+/// *ALE_REFERENCE_SYSTEM_GROUP and *ALE_STRUCTURED_MESH_MOTION: how an Eulerian mesh is carried along as a
+/// whole, whatever flows through it. Meshes that only translate (`deforms` is false) have one velocity;
+/// others are moved from step to step by an affine map.
 struct MeshMotion {
     enum class Kind {
         none,
         curves,  ///< PRTYPE = 3: velocities by *ALE_REFERENCE_SYSTEM_CURVE
-        average, ///< PRTYPE = 4: the mean velocity of the mass in the mesh
+        average, ///< PRTYPE = 4: the mean velocity of the mass in the mesh; FOLLOW_GC: of some fluids
         node,    ///< PRTYPE = 5, BCROT = 7: with the first node of *ALE_REFERENCE_SYSTEM_NODE
         frame,   ///< PRTYPE = 5: with the system of its first three nodes, which turns
         extent   ///< PRTYPE = 7: stretched along the axes as the box is that its nodes span
@@ -22,6 +23,7 @@ struct MeshMotion {
         /// LC1 to LC12 of v = f1 + f2 x + f3 y + f4 z and so on; none: zero.
         std::array<Index, 12> curves{none, none, none, none, none, none, none, none, none, none, none, none};
         std::vector<Index> nodes; ///< of the reference system
+        unsigned fluids = ~0u;    ///< of `average`: bits of those that count
     };
     /// One after the other, each until its time and the last for ever: PRTYPE = 6,
     /// *ALE_REFERENCE_SYSTEM_SWITCH.
@@ -59,6 +61,6 @@ AffineStep affine_step(const MeshMotion& motion, const Model& model, double time
                        const std::array<double, 3>& velocity);
 
 /// DeckError for what is not there.
-MeshMotion mesh_motion_of(const Model& model, const MeshBlock& block);
+MeshMotion mesh_motion_of(const Model& model, const MeshBlock& block, const DeckGroups& groups);
 
 } // namespace plash

@@ -32,33 +32,10 @@ ContactSide structure_of(const Model& model, const Record& record)
     reject_field(record, "LSTRSID", fmt::format("there is no segment set {}", id));
 }
 
-/// MCOUP < 0: the groups of a *SET_MULTI-MATERIAL_GROUP_LIST.
-unsigned fluids_of_set(const Model& model, const Record& record, const DeckGroups& groups, Id id)
-{
-    for (const Record& set : model.others) {
-        if (!set.keyword.starts_with("SET_MULTI") || set.id != id) continue;
-        unsigned mask = 0;
-        if (const Table* table = set.table("AMMGID")) {
-            for (std::size_t row = 0; row < table->rows(); ++row) {
-                const Id number = table->text.empty() ? std::llround(table->at(row, 0))
-                                                      : std::atol(table->text[row].c_str());
-                if (number == 0) continue;
-                if (number < 1 || number > static_cast<Id>(groups.groups.size()))
-                    throw DeckError(set.where,
-                                    fmt::format("*{} {}: there is no group {}", set.keyword, id, number));
-                const int fluid = groups.groups[number - 1].fluid;
-                if (fluid != none) mask |= 1u << fluid;
-            }
-        }
-        return mask;
-    }
-    reject_field(record, "MCOUP", fmt::format("there is no *SET_MULTI-MATERIAL_GROUP_LIST {}", id));
-}
-
 unsigned fluids_of(const Model& model, const Record& record, const DeckGroups& groups)
 {
     const Id choice = record.integer("MCOUP");
-    if (choice < 0) return fluids_of_set(model, record, groups, -choice);
+    if (choice < 0) return fluids_of_set(model, record, "MCOUP", -choice, groups);
     if (choice == 0) return ~0u;
     if (choice != 1)
         reject_field(record, "MCOUP",

@@ -188,6 +188,11 @@ void read_structured_mesh(const Record& mesh, const Block&, Reading& reading)
         }
     }
     if (!model.solids.axes.empty()) model.solids.axes.resize(model.solids.size());
+    // What speaks of the mesh by its number finds its part here.
+    Record kept = mesh;
+    for (Record::Field& field : kept.fields)
+        if (field.name == "DPID") field.value = static_cast<double>(model.parts[part].id);
+    model.others.push_back(std::move(kept));
 }
 
 constexpr Translator ale_table[] = {

@@ -321,7 +321,25 @@ void read_section_set(const Record& record, const Block&, Reading& reading)
     keep_section(record, std::move(section), reading);
 }
 
+/// Kept as it is; says what output/dbfsi.cpp leaves out of its rows.
+void read_fluid_surfaces(const Record& record, const Block&, Reading& reading)
+{
+    constexpr std::pair<std::size_t, const char*> unused[] = {{3, "SWID"}, {4, "CONVID"}, {5, "NDSETID"}};
+    if (const Table* table = record.table("DBFSI_ID")) {
+        for (const auto& [column, name] : unused)
+            for (std::size_t row = 0; row < table->rows(); ++row)
+                if (table->at(row, column) != 0) {
+                    reading.warning(record, name,
+                                    "dbfsi shows pressure and force; it has no switched mass, no temperature "
+                                    "and no moments");
+                    break;
+                }
+    }
+    reading.model.others.push_back(record);
+}
+
 constexpr Translator database_table[] = {
+    {"DATABASE_FSI", Phase::conditions, read_fluid_surfaces},
     {"DATABASE_DEFORC", Phase::conditions, read_ascii},
     {"DATABASE_DISBOUT", Phase::conditions, read_ascii},
     {"DATABASE_NODFOR", Phase::conditions, read_ascii},

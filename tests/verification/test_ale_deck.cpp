@@ -253,6 +253,58 @@ TEST(AleDeck, MeshFollowsTheMass)
     EXPECT_LT(run.scene().ledger.balance_error(), 1e-9);
 }
 
+// A structured mesh that follows one of two drops (FOLLOW_GC): that one stays in its midst though the other
+// flies away, and its plane of symmetry (ISYM, along z) stays where it is.
+TEST(AleDeck, StructuredMeshFollowsOneGroup)
+{
+    EulerianRun run(testing::structured_mesh({0, 0, 0}, {2, 1, 1}, {40, 20, 20}) +
+                    "*ALE_MULTI-MATERIAL_GROUP\n1,1\n2,1\n3,1\n*PART\ndrop\n1,1,1,1\n*PART\nempty\n2,1,2\n"
+                    "*PART\nother\n3,1,1,1\n*SECTION_SOLID\n1,11\n*MAT_NULL\n1,1000,-1e4\n"
+                    "*EOS_LINEAR_POLYNOMIAL\n1,0,1e7\n\n*MAT_VACUUM\n2,0\n"
+                    "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n6,0,1,50,20,-5\n0.5,0.5,0.6,0.25\n"
+                    "6,0,3,20,20,0\n1.5,0.5,0.5,0.25\n"
+                    "*ALE_STRUCTURED_MESH_MOTION\n1,FOLLOW_GC,4,,,,,1\n*SET_MULTI-MATERIAL_GROUP_LIST\n4\n1\n"
+                    "*CONTROL_ALE\n-1,1,2,-1\n*CONTROL_TERMINATION\n0.005\n*CONTROL_TIMESTEP\n0,0.2\n*END\n");
+    const BoxFluid& fluid = run.term<EulerianFluid>().box();
+    const double end = run.run().clock.time;
+    EXPECT_NEAR(fluid.grid.planes(0).front(), 50 * end, 1e-3 * 50 * end);
+    EXPECT_NEAR(fluid.grid.planes(1).front(), 20 * end, 1e-3 * 20 * end);
+    EXPECT_EQ(fluid.grid.planes(2).front(), 0);
+}
+
+// A viscous fluid under its other name, and a mixture of gases: by mass (air of 0.8 nitrogen and 0.4 oxygen
+// at 300) it starts with the sum of rho R T, 0.8 * 297 * 300 + 0.4 * 260 * 300; the same by mole.
+TEST(AleDeck, MaterialsOfEulerianMeshesUnderTheirOtherNames)
+{
+    const auto speeds = [](const std::string& material) {
+        EulerianRun run(testing::structured_mesh({0, 0, 0}, {1, 1, 1}, {8, 8, 8}) +
+                        "*ALE_MULTI-MATERIAL_GROUP\n1,1\n2,1\n*PART\nliquid\n1,1,1,1\n*PART\nempty\n2,1,2\n"
+                        "*SECTION_SOLID\n1,11\n" +
+                        material + "*EOS_LINEAR_POLYNOMIAL\n1,0,1e7\n\n*MAT_VACUUM\n2,0\n" +
+                        "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n5,0,1,3\n0,0,0,1,1,0.5\n" +
+                        testing::closed(0.01));
+        run.run();
+        return run.term<EulerianFluid>().fluid().fields.velocity[0];
+    };
+    const auto null = speeds("*MAT_NULL\n1,1000,-1e4,50\n");
+    EXPECT_EQ(null, speeds("*MAT_ALE_VISCOUS\n1,1000,-1e4,50\n"));
+    EXPECT_NE(null, speeds("*MAT_ALE_VISCOUS\n1,1000,-1e4,0\n"));
+    EXPECT_THROW(speeds("*MAT_ALE_VISCOUS\n1,1000,-1e4,50,60\n"), DeckError);
+
+    for (const char* heat : {"1,0,0\n743,660\n1040,920\n", "1,0,8.316\n0.028,0.032\n29.12,29.44\n\n\n"}) {
+        EulerianRun run(testing::structured_mesh({0, 0, 0}, {1, 1, 1}, {2, 2, 2}) +
+                        "*ALE_MULTI-MATERIAL_GROUP\n1,1\n*PART\ngas\n1,1,1\n*SECTION_SOLID\n1,11\n"
+                        "*MAT_ALE_GAS_MIXTURE\n" +
+                        heat + "*INITIAL_GAS_MIXTURE\n10,1,1,300\n0.8,0.4\n" + testing::closed(1e-4));
+        const BoxFluid& fluid = run.term<EulerianFluid>().box();
+        run.run();
+        const double expected =
+            heat[4] == '0' ? 0.8 * 297 * 300 + 0.4 * 260 * 300 : (0.8 * 297 + 0.4 * 259.875) * 300;
+        EXPECT_NEAR(fluid.fields.pressure[fluid.grid.at(0, 0, 0)], expected, 1e-9 * expected) << heat;
+        EXPECT_NEAR(fluid.total_mass(0), 1.2, 1e-12);
+    }
+}
+
 // A mesh that stands, then moves by a curve, then goes with the first node of a rigid plate (PRTYPE 6 with 0,
 // 3 and 5 one after the other); the liquid is seen to stand still in space. The plate's speed rises in the
 // first third of 0.03 s from 0 to 4, the curve gives 2 in the second: the mesh goes 0.01 x 2 + 0.01 x 4.

@@ -142,4 +142,18 @@ TEST(AleFiles, VariablesThatAreNotThereAreRefused)
     }
 }
 
+// Columns of *DATABASE_FSI that dbfsi does not show are named.
+TEST(AleFiles, ColumnsOfSurfacesThatAreNotShownAreNamed)
+{
+    const testing::TemporaryFolder folder;
+    std::ofstream(folder / "deck.k") << "*KEYWORD\n"
+                                     << moving_liquid() << "*DATABASE_FSI\n0.001,2\n1,10,1,0,0,7\n*END\n";
+    const ReadResult read = read_model(folder / "deck.k");
+    bool named = false;
+    for (const Message& warning : read.report.warnings) named = named || warning.field == "NDSETID";
+    EXPECT_TRUE(named);
+    EXPECT_EQ(fluid_surface_form(read.model), 2);
+    EXPECT_TRUE(has_fluid_surfaces(read.model));
+}
+
 } // namespace plash

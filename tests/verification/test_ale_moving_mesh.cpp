@@ -170,7 +170,7 @@ TEST(AleMovingMesh, RestartGoesOnWithTheSameBits)
                              "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n6,0,1,3,-2,1\n0,0,0,0.7\n" +
                              by_gradient(gradient, {5, 1, -2}) +
                              "*DATABASE_TRACER\n0,0,0.1,0.2,0.3\n*DATABASE_TRHIST\n0.01\n"
-                             "*DATABASE_BINARY_D3DUMP\n7\n"
+                             "*DATABASE_BINARY_D3DUMP\n3\n"
                              "*CONTROL_ALE\n-1,1,2,-1\n*CONTROL_TERMINATION\n0.05\n*END\n";
     const testing::TemporaryFolder folder;
     RunOptions whole, rest;
@@ -181,7 +181,7 @@ TEST(AleMovingMesh, RestartGoesOnWithTheSameBits)
     ASSERT_EQ(plash::run(first.scene(), recorders, whole).termination, Outcome::Termination::normal);
     const Outcome outcome = plash::run(second.scene(), recorders, rest);
     ASSERT_EQ(outcome.termination, Outcome::Termination::normal);
-    EXPECT_GT(outcome.clock.cycle, 7);
+    EXPECT_GT(outcome.clock.cycle, 5); // from 3 on
     const auto& one = dynamic_cast<const HexFluid&>(first.term<EulerianFluid>().fluid());
     const auto& two = dynamic_cast<const HexFluid&>(second.term<EulerianFluid>().fluid());
     EXPECT_EQ(one.fields.velocity[0], two.fields.velocity[0]);
