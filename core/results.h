@@ -39,16 +39,25 @@ struct ElementResults {
     std::vector<double> shell_plastic_strain; ///< element x layer [-]
     /// Mxx Myy Mxy Qx Qy Nxx Nyy Nxy in local axes [force], [force/length] as in LS-DYNA's elout
     std::vector<std::array<double, 8>> shell_resultants;
-    std::vector<double> shell_thickness;       ///< [length]
+    std::vector<double> shell_thickness; ///< [length]
+    int shell_history_size = 0;          ///< NEIPS: history variables wanted of each layer, thick shells too
+    std::vector<double> shell_history;   ///< element x layer x variable
+    /// Strains since the start of the innermost and the outermost point, tensor components, global axes [-].
+    std::vector<std::array<Stress, 2>> shell_strain;
     std::vector<double> shell_internal_energy; ///< density in the d3plot sense: [energy/volume]
 
     /// Thick shells likewise: the points through the thickness as `thick_shell_layers` rows an element.
     int thick_shell_layers = 0;
     std::vector<Stress> thick_shell_stress;         ///< element x layer, global axes [stress]
     std::vector<double> thick_shell_plastic_strain; ///< element x layer [-]
+    std::vector<double> thick_shell_history;        ///< element x layer x variable
+    std::vector<std::array<Stress, 2>> thick_shell_strain;
 
     std::vector<Stress> solid_stress;         ///< global axes [stress]
     std::vector<double> solid_plastic_strain; ///< [-]
+    int solid_history_size = 0;               ///< NEIPH: history variables wanted of each solid
+    std::vector<double> solid_history;        ///< element x variable, means over its points
+    std::vector<Stress> solid_strain;         ///< since the start, tensor components, global axes [-]
     std::vector<double> solid_density;        ///< of Eulerian cells, with what is empty in them; 0 elsewhere
                                               ///< [density]
     /// Share of each group of the deck in the volume of Eulerian cells, group by group [-].

@@ -8,6 +8,56 @@
 
 namespace plash {
 
+namespace {
+
+/// The way outward from zero at which a curve first has a force: to the right for positive ones, to the left
+/// for negative ones. Beyond its last point the curve is level; then it is that point.
+double way_at(const Curve& curve, double force)
+{
+    const auto& x = curve.abscissa;
+    const auto& y = curve.ordinate;
+    const double sense = force < 0 ? -1 : 1;
+    double last_way = 0, last_force = curve(0);
+    const auto passes = [&](double way, double here) {
+        return sense * (here - force) >= 0 && sense * (last_force - force) < 0 && way != last_way;
+    };
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const std::size_t point = sense > 0 ? i : x.size() - 1 - i;
+        if (sense * x[point] <= 0) continue;
+        if (passes(x[point], y[point])) {
+            return last_way + (force - last_force) * (x[point] - last_way) / (y[point] - last_force);
+        }
+        last_way = x[point];
+        last_force = y[point];
+    }
+    return sense * (curve(0) - force) >= 0 ? 0 : last_way;
+}
+
+/// Place on a rising curve with a force; beyond its ends the end.
+double place_of_force(const Curve& curve, double force)
+{
+    const auto& x = curve.abscissa;
+    const auto& y = curve.ordinate;
+    if (force <= y.front()) return x.front();
+    for (std::size_t i = 1; i < x.size(); ++i)
+        if (force <= y[i]) return x[i - 1] + (force - y[i - 1]) * (x[i] - x[i - 1]) / (y[i] - y[i - 1]);
+    return x.back();
+}
+
+void check_rising(const Record& material, const char* field, const Curve& curve, bool strictly)
+{
+    for (std::size_t i = 1; i < curve.ordinate.size(); ++i) {
+        const double rise = curve.ordinate[i] - curve.ordinate[i - 1];
+        if (rise > 0 || (rise == 0 && !strictly)) continue;
+        reject_field(material, field,
+                     fmt::format("the curve has to rise{}; it does not from {} to {}",
+                                 strictly ? "" : " with BETA other than 0", curve.abscissa[i - 1],
+                                 curve.abscissa[i]));
+    }
+}
+
+} // namespace
+
 DiscreteLaw DiscreteLaw::from_record(const Record& material, const Model& model)
 {
     DiscreteLaw law;
@@ -36,6 +86,22 @@ DiscreteLaw DiscreteLaw::from_record(const Record& material, const Model& model)
     } else if (name == "MAT_DAMPER_NONLINEAR_VISCOUS") {
         law.kind = Kind::nonlinear_viscous;
         law.force = odd_curve(take_curve("LCDR"));
+    } else if (name == "MAT_SPRING_GENERAL_NONLINEAR") {
+        law.kind = Kind::general;
+        law.force = odd_curve(take_curve("LCDL"));
+        law.unloading = odd_curve(take_curve("LCDU"));
+        law.tensile_yield = material.real("TYI");
+        law.compressive_yield = material.real("CYI");
+        if (law.tensile_yield < 0) reject_field(material, "TYI", "the yield force in tension is below zero");
+        if (law.compressive_yield > 0)
+            reject_field(material, "CYI", "the yield force in compression is above zero");
+        const double beta = material.real("BETA");
+        law.rule = beta == 0   ? Hardening::independent
+                   : beta == 1 ? Hardening::isotropic
+                               : Hardening::kinematic;
+        if (beta != 0) check_rising(material, "LCDL", law.force, false);
+        check_rising(material, "LCDU", law.unloading, true);
+        law.largest_stiffness = std::max(steepest_slope(law.force), steepest_slope(law.unloading));
     } else if (name == "MAT_SPRING_MAXWELL") {
         law.kind = Kind::maxwell;
         law.largest_stiffness = law.stiffness = positive(material, "K0", "short-time stiffness");
@@ -53,7 +119,7 @@ DiscreteLaw DiscreteLaw::from_record(const Record& material, const Model& model)
     } else {
         throw DeckError(material.where,
                         fmt::format("*{} {} is not supported for springs and dampers; there are *MAT_S01 to "
-                                    "S05, S07 and S08",
+                                    "S08",
                                     name, material.id));
     }
     return law;
@@ -85,6 +151,9 @@ double DiscreteLaw::advance(State& state, double deflection, double rate, double
     case Kind::nonlinear_viscous:
         state.force = force(rate);
         break;
+    case Kind::general:
+        state.force = general_force(state, deflection, deflection - change);
+        break;
     case Kind::maxwell: {
         // The relaxing part under a constant rate, exactly.
         const double span = decay * time_step, kept = std::exp(-span);
@@ -102,6 +171,61 @@ double DiscreteLaw::advance(State& state, double deflection, double rate, double
     }
     }
     return state.force;
+}
+
+/// S06. Until the force leaves the range from CYI to TYI the loading curve serves both ways. From then on the
+/// spring unloads along the unloading curve, shifted so that it begins where the loading curve was left, and
+/// yields again at the end of the range that it has by then: on the same side where it left the loading
+/// curve, on the other side along the loading curve shifted to that force.
+double DiscreteLaw::general_force(State& state, double deflection, double last) const
+{
+    if (!state.yielded) {
+        const double value = force(deflection);
+        if (value <= tensile_yield && value >= compressive_yield) return value;
+        state.yielded = true;
+        state.side = value > tensile_yield ? 1 : -1;
+        state.upper = tensile_yield;
+        state.lower = compressive_yield;
+        (state.side > 0 ? state.upper : state.lower) = value;
+        harden(state);
+        return value;
+    }
+    if (state.side != 0 && state.side * (deflection - last) < 0) { // turns back
+        state.left = state.side;
+        state.side = 0;
+        state.unloading_shift = last - place_of_force(unloading, state.force);
+    }
+    if (state.side == 0) {
+        const double value = unloading(deflection - state.unloading_shift);
+        const int reached = value > state.upper ? 1 : value < state.lower ? -1 : 0;
+        if (reached == 0) return value;
+        const double yield = reached > 0 ? state.upper : state.lower;
+        if (reached != state.left) {
+            const double way = state.unloading_shift + place_of_force(unloading, yield);
+            state.loading_shift = way - way_at(force, yield);
+        }
+        state.side = reached;
+    }
+    const double value = force(deflection - state.loading_shift);
+    (state.side > 0 ? state.upper : state.lower) = value;
+    harden(state);
+    return value;
+}
+
+/// The yield force of the other side, from the one that the spring stands on.
+void DiscreteLaw::harden(State& state) const
+{
+    if (rule == Hardening::independent) return;
+    if (rule == Hardening::kinematic) {
+        const double range = tensile_yield - compressive_yield;
+        (state.side > 0 ? state.lower : state.upper) =
+            state.side > 0 ? state.upper - range : state.lower + range;
+        return;
+    }
+    if (state.side > 0)
+        state.lower = compressive_yield - (state.upper - tensile_yield);
+    else
+        state.upper = tensile_yield + (compressive_yield - state.lower);
 }
 
 } // namespace plash

@@ -4,6 +4,7 @@
 #include "materials/parameters.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <unordered_map>
 
@@ -18,13 +19,18 @@ int column_of(const Table& table, std::string_view name)
     return found == table.columns.end() ? -1 : static_cast<int>(found - table.columns.begin());
 }
 
-std::vector<InitialStressPoint> points_of(const Record& record, std::string_view first_column)
+/// Names of the fields of a point: six components, plastic strain, place through the thickness.
+using PointFields = std::array<const char*, 8>;
+constexpr PointFields stress_fields = {"SIGXX", "SIGYY", "SIGZZ", "SIGXY", "SIGYZ", "SIGZX", "EPS", "T"};
+constexpr PointFields strain_fields = {"EPSXX", "EPSYY", "EPSZZ", "EPSXY", "EPSYZ", "EPSZX", "", "T"};
+
+std::vector<InitialStressPoint> points_of(const Record& record, std::string_view first_column,
+                                          const PointFields& names)
 {
     const Table* table = record.table(first_column);
     if (!table) {
         throw DeckError(record.where, fmt::format("*{}: the card gives no points", record.keyword));
     }
-    const char* names[] = {"SIGXX", "SIGYY", "SIGZZ", "SIGXY", "SIGYZ", "SIGZX", "EPS", "T"};
     int column[8];
     for (int i = 0; i < 8; ++i) column[i] = column_of(*table, names[i]);
     std::vector<InitialStressPoint> points;
@@ -35,10 +41,28 @@ std::vector<InitialStressPoint> points_of(const Record& record, std::string_view
     return points;
 }
 
+/// Strains: of solids a single card, of shells rows, which without places stand at the lower and the upper
+/// surface.
+std::vector<InitialStressPoint> strains_of_card(const Record& record)
+{
+    if (record.table("EPSXX")) {
+        std::vector<InitialStressPoint> points = points_of(record, "EPSXX", strain_fields);
+        if (points.size() == 2 && points[0].place == points[1].place) {
+            points[0].place = -1;
+            points[1].place = 1;
+        }
+        return points;
+    }
+    const auto at = [&](int i) { return record.real(strain_fields[i]); };
+    return {{0, {at(0), at(1), at(2), at(3), at(4), at(5)}, 0}};
+}
+
 /// What the cards of one family mean.
-/// keyword  of single elements; that of sets has _SET behind it
-InitialStresses read_stresses(const Model& model, std::string_view keyword, std::string_view first_column,
-                              const std::vector<Id>& ids, const std::vector<ElementSet>& sets)
+/// keyword    of single elements; that of sets has _SET behind it
+/// points_in  the points of a card
+template <class PointsIn>
+InitialStresses read_points(const Model& model, std::string_view keyword, const std::vector<Id>& ids,
+                            const std::vector<ElementSet>& sets, PointsIn&& points_in)
 {
     InitialStresses stresses;
     const std::string set_keyword = std::string(keyword) + "_SET";
@@ -55,7 +79,7 @@ InitialStresses read_stresses(const Model& model, std::string_view keyword, std:
                              "energies and volumes at the start are not supported; leave it at 0");
             }
         }
-        const InitialStress stress{record.where, points_of(record, first_column)};
+        const InitialStress stress{record.where, points_in(record)};
         if (!of_set) {
             const auto found = place.find(record.integer("EID"));
             if (found == place.end()) {
@@ -73,6 +97,25 @@ InitialStresses read_stresses(const Model& model, std::string_view keyword, std:
         for (Index element : set->elements) stresses[element] = stress;
     }
     return stresses;
+}
+
+InitialStresses read_stresses(const Model& model, std::string_view keyword, std::string_view first_column,
+                              const std::vector<Id>& ids, const std::vector<ElementSet>& sets)
+{
+    return read_points(model, keyword, ids, sets,
+                       [&](const Record& record) { return points_of(record, first_column, stress_fields); });
+}
+
+/// Nothing where no result file shows strains.
+InitialStresses read_strains(const Model& model, std::string_view keyword, const std::vector<Id>& ids,
+                             const std::vector<ElementSet>& sets)
+{
+    if (!model.controls.output.strains()) return {};
+    return read_points(model, keyword, ids, sets, [](const Record& record) {
+        if (record.peek("ILOCAL") && record.integer("ILOCAL") != 0)
+            reject_field(record, "ILOCAL", "strains have to be given in global axes (0)");
+        return strains_of_card(record);
+    });
 }
 
 /// z of the middle of a solid's nodes [length].
@@ -111,6 +154,16 @@ InitialStresses initial_shell_stresses(const Model& model)
 InitialStresses initial_thick_shell_stresses(const Model& model)
 {
     return read_stresses(model, "INITIAL_STRESS_TSHELL", "T", model.thick_shells.id, model.thick_shell_sets);
+}
+
+InitialStresses initial_solid_strains(const Model& model)
+{
+    return read_strains(model, "INITIAL_STRAIN_SOLID", model.solids.id, model.solid_sets);
+}
+
+InitialStresses initial_shell_strains(const Model& model)
+{
+    return read_strains(model, "INITIAL_STRAIN_SHELL", model.shells.id, model.shell_sets);
 }
 
 InitialStressPoint mean_of(const InitialStress& stress)

@@ -150,7 +150,8 @@ struct BelytschkoTsay {
         Lane thinning;
         result.internal_work =
             middle_frame.area * update_points(settings, law, increment, time_step, record[thickness],
-                                              record + points, resultants, thinning);
+                                              record + points, resultants, thinning,
+                                              strains_of(settings, record));
         if (settings.thickness_change) record[thickness] += record[thickness] * thinning;
         result.viscous_work = Lane{};
         if (settings.bulk_viscosity) {

@@ -236,7 +236,7 @@ struct FullyIntegratedShell {
             result.internal_work +=
                 at_middle.area * update_points(settings, law, increment, time_step, record[thickness],
                                                record + points + column * settings.rule.size() * point_size,
-                                               resultants, thinning_here);
+                                               resultants, thinning_here, strains_of(settings, record));
             thinning += 0.25 * thinning_here;
             add_point(resultants, at_end, xi, eta, nu, conjugate);
         }

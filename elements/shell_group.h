@@ -16,6 +16,7 @@ public:
                  plastic_strain_of_law())
     {
         if constexpr (requires { law_.start(store_); }) law_.start(store_);
+        if (store_.shown.empty()) store_.shown = {shown_variables(law_, true)};
         store_.take_initial_stresses(part, state);
         store_.add_masses(state);
     }

@@ -147,7 +147,7 @@ void add_groups(ShellGroupMaker* maker, const ShellPart& all, State& state,
                             model.shells.id[element], part.id));
         }
         const GroupKey key{triangle && sorted, stack_of(model, element)};
-        members.try_emplace(key, ShellPart{model, all.part, {}, all.initial_stresses})
+        members.try_emplace(key, ShellPart{model, all.part, {}, all.initial_stresses, all.initial_strains})
             .first->second.elements.push_back(element);
     }
     for (const auto& [key, shells] : members) {
@@ -165,6 +165,7 @@ std::vector<std::unique_ptr<Term>> make_shell_groups(const Model& model, State& 
         elements[model.shells.part[element]].push_back(element);
     }
     const InitialStresses initial_stresses = initial_shell_stresses(model);
+    const InitialStresses initial_strains = initial_shell_strains(model);
     std::vector<std::unique_ptr<Term>> groups;
     for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part) {
         if (elements[part].empty()) continue;
@@ -175,7 +176,8 @@ std::vector<std::unique_ptr<Term>> make_shell_groups(const Model& model, State& 
         ShellGroupMaker* maker = maker_of(model, part);
         if (!maker) continue;
         state.need_rotation();
-        add_groups(maker, {model, part, std::move(elements[part]), &initial_stresses}, state, groups);
+        add_groups(maker, {model, part, std::move(elements[part]), &initial_stresses, &initial_strains},
+                   state, groups);
     }
     return groups;
 }

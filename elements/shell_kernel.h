@@ -41,6 +41,10 @@ struct ShellSettings {
     int points_to_erode = 0;            ///< *MAT_ADD_EROSION: so many failed points take an element; 0: none
     double failure_time = 1e300;        ///< FAILTM: all elements go [time]
     double shortest_squared_length = 0; ///< elements whose step needs a shorter one are deleted [length^2]
+    /// Where a record holds the strains that result files show (STRFLG): six of the innermost, then six of
+    /// the outermost points, in the element's frame, means over its columns. 0: nobody wants them.
+    int strain_place = 0;
+    double column_share = 1; ///< 1 / columns
 };
 
 /// Where the values of an element stand in its record: one Lane each, then the points, bottom to top, each
@@ -80,14 +84,35 @@ struct ShellIncrement {
     ShellHourglassForce<Lane> hourglass;
 };
 
+/// The strains of a record; null where there are none.
+template <class Lane>
+inline Lane* strains_of(const ShellSettings& settings, Lane* record)
+{
+    return settings.strain_place == 0 ? nullptr : record + settings.strain_place;
+}
+
+/// Adds the strain increment of a point to them, if it is one of the two.
+template <class Lane>
+inline void keep_strain(const ShellSettings& settings, int point, const SymmetricTensor<Lane>& increment,
+                        Lane* strains)
+{
+    for (const int side : {0, 1}) {
+        if (point != side * (settings.rule.size() - 1)) continue;
+        Lane* const sum = strains + 6 * side;
+        put_tensor(sum, tensor_at(sum) + broadcast<Lane>(settings.column_share) * increment);
+    }
+}
+
 /// One step of the points of one column through the thickness: updates stresses and histories and sums the
 /// resultants. Returns the internal work per area of the step (trapezoidal rule).
 /// values    of the column's points, bottom to top (shell_record::Point, then the law's history)
 /// thinning  receives the strain of the thickness
+/// strains   strains_of the elements' record
 template <class Lane, class Law>
 inline Lane update_points(const ShellSettings& settings, const Law& law,
                           const ShellIncrement<Lane>& increment, double time_step, Lane thickness_now,
-                          Lane* values, ShellResultants<Lane>& resultants, Lane& thinning)
+                          Lane* values, ShellResultants<Lane>& resultants, Lane& thinning,
+                          Lane* strains = nullptr)
 {
     using namespace shell_record;
     constexpr int point_size = history + static_cast<int>(Law::history_size);
@@ -125,6 +150,8 @@ inline Lane update_points(const ShellSettings& settings, const Law& law,
         values[stress_yz] = stress.yz;
         values[stress_zx] = stress.zx;
 
+        if (strains) [[unlikely]]
+            keep_strain(settings, point, strain, strains);
         const Lane wxx = weight * stress.xx, wyy = weight * stress.yy, wxy = weight * stress.xy;
         resultants.nxx += wxx;
         resultants.nyy += wyy;

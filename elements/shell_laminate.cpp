@@ -167,6 +167,12 @@ void Laminate::start(ShellStore& store) const
     constexpr int point_size = shell_record::history + history_size;
     store.ply_place = ply_place;
     store.ply_weight = ply_weight;
+    for (const PlyLaw& ply : plies) {
+        auto& shown = store.shown.emplace_back(
+            std::visit([](const auto& law) { return shown_variables(law, true); }, ply));
+        for (ShownVariable& one : shown)
+            if (one.variable >= 0) one.variable += own;
+    }
     for (Index batch = 0; batch < store.patches.batch_count(); ++batch) {
         for (int lane = 0; lane < lane_count; ++lane) {
             const Index element = store.patches.elements[batch * lane_count + lane];

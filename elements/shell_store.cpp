@@ -96,6 +96,11 @@ ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings i
     using namespace shell_record;
     const int point_count = plane_points_ * settings.rule.size();
     record_size_ = points + static_cast<std::size_t>(point_count) * point_size_;
+    settings.column_share = 1.0 / plane_points_;
+    if (model.controls.output.strains()) {
+        settings.strain_place = static_cast<int>(record_size_);
+        record_size_ += 12;
+    }
     records_.resize(patches.batch_count() * record_size_);
     for (Index batch = 0; batch < patches.batch_count(); ++batch) {
         Lanes* values = record(batch);
@@ -107,6 +112,29 @@ ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings i
         for (int point = 0; point < point_count; ++point) {
             Lanes* variables = values + points + point * point_size_ + history;
             for (double start : initial_history) *variables++ = broadcast<Lanes>(start);
+        }
+    }
+    take_initial_strains(its, state);
+}
+
+/// *INITIAL_STRAIN_SHELL: nothing but what result files show begins with it.
+void ShellStore::take_initial_strains(const ShellPart& its, const State& state)
+{
+    if (settings.strain_place == 0 || !its.initial_strains) return;
+    for (std::size_t place = 0; place < patches.elements.size(); ++place) {
+        const Index element = patches.elements[place];
+        const auto found = its.initial_strains->find(element);
+        if (found == its.initial_strains->end()) continue;
+        const ShellFrame<double> frame = frame_of(model, state, element);
+        for (const int side : {0, 1}) {
+            const double thickness_place = settings.rule.size() == 0 ? 0
+                                           : side == 0               ? settings.rule.place.front()
+                                                                     : settings.rule.place.back();
+            const SymmetricTensor<double> local =
+                to_local(frame, through_thickness(found->second, thickness_place, 0).stress);
+            put_stress(local,
+                       record(static_cast<Index>(place / lane_count)) + settings.strain_place + 6 * side,
+                       static_cast<int>(place % lane_count));
         }
     }
 }
@@ -343,7 +371,11 @@ void ShellStore::collect_element(const State& state, Index batch, int lane, Elem
             if (strain_wanted) results.shell_plastic_strain[place] = plastic_strain;
         }
     }
-    if (deleted || results.shell_resultants.empty()) return;
+    if (deleted) return;
+    if (!results.shell_history.empty()) collect_history(batch, lane, row, results);
+    if (!results.shell_strain.empty() && settings.strain_place != 0)
+        collect_strains(state, batch, lane, row, results);
+    if (results.shell_resultants.empty()) return;
     ShellResultants<double> sum;
     const double thickness_now = values[thickness][lane];
     for (int point = 0; point < settings.rule.size(); ++point) {
@@ -360,6 +392,41 @@ void ShellStore::collect_element(const State& state, Index batch, int lane, Elem
         sum.mxy += z * force * point_value(point, stress_xy);
     }
     results.shell_resultants[row] = {sum.mxx, sum.myy, sum.mxy, sum.qx, sum.qy, sum.nxx, sum.nyy, sum.nxy};
+}
+
+void ShellStore::collect_history(Index batch, int lane, Index row, ElementResults& results) const
+{
+    using namespace shell_record;
+    const int layers = settings.rule.size(), wanted = results.shell_history_size;
+    for (int layer = 0; layer < results.shell_layers; ++layer) {
+        const auto [first, last] = points_of_layer(layer, results.shell_layers, layers);
+        double* values =
+            &results.shell_history[(static_cast<std::size_t>(row) * results.shell_layers + layer) * wanted];
+        for (int point = first; point <= last; ++point) {
+            const auto& list = shown.size() == 1 ? shown[0] : shown[point];
+            const double share = 1.0 / (plane_points_ * (last - first + 1));
+            for (int i = 0; i < std::min<int>(wanted, static_cast<int>(list.size())); ++i) {
+                if (list[i].variable < 0) continue;
+                for (int column = 0; column < plane_points_; ++column) {
+                    const Lanes* own =
+                        record(batch) + points + (column * layers + point) * point_size_ + history;
+                    values[i] += share * (own[list[i].variable][lane] - list[i].start);
+                }
+            }
+        }
+    }
+}
+
+void ShellStore::collect_strains(const State& state, Index batch, int lane, Index row,
+                                 ElementResults& results) const
+{
+    const Lanes* strains = record(batch) + settings.strain_place;
+    const ShellFrame<double> frame = frame_of(model, state, patches.elements[batch * lane_count + lane]);
+    for (const int side : {0, 1}) {
+        const Lanes* s = strains + 6 * side;
+        results.shell_strain[row][side] =
+            to_global(frame, {s[0][lane], s[1][lane], s[2][lane], s[3][lane], s[4][lane], s[5][lane]});
+    }
 }
 
 void ShellStore::collect_motion(const State& state, Index batch, int lane, ElementResults& results) const

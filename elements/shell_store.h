@@ -22,6 +22,7 @@ struct ShellPart {
     Index part = none;
     std::vector<Index> elements;                       ///< of the Model
     const InitialStresses* initial_stresses = nullptr; ///< looked at while the group is made
+    const InitialStresses* initial_strains = nullptr;  ///< likewise; of what result files show
 };
 
 /// Where the state of a shell group is kept between steps, and what does not depend on the law: energies, the
@@ -87,6 +88,8 @@ public:
     std::pair<double, double> place_of(Index batch, int lane, int point) const;
     /// Which variables of a point hold place and weight of its ply; none: there are no plies.
     Index ply_place = none, ply_weight = none;
+    /// History variables in result files: one list for all points, or one for each ply.
+    std::vector<std::vector<ShownVariable>> shown;
 
 private:
     double eroded_internal_ = 0, eroded_hourglass_ = 0; ///< [energy]
@@ -100,6 +103,9 @@ private:
     void check_finite() const;
     /// Adds an element's mass and rotary inertia times `factor`; returns the mass.
     double add_mass(Index element, double factor, State& state) const;
+    void take_initial_strains(const ShellPart& part, const State& state);
+    void collect_history(Index batch, int lane, Index row, ElementResults& results) const;
+    void collect_strains(const State& state, Index batch, int lane, Index row, ElementResults& results) const;
     void collect_steps(const State& state, ElementResults& results) const;
     void collect_element(const State& state, Index batch, int lane, ElementResults& results) const;
     void collect_motion(const State& state, Index batch, int lane, ElementResults& results) const;

@@ -68,7 +68,7 @@ struct C0Triangle {
         Lane thinning;
         result.internal_work =
             middle.area * update_points(settings, law, increment, time_step, record[thickness],
-                                        record + points, resultants, thinning);
+                                        record + points, resultants, thinning, strains_of(settings, record));
         if (settings.thickness_change) record[thickness] += record[thickness] * thinning;
         result.viscous_work = result.hourglass_work = Lane{};
         if (settings.bulk_viscosity) {

@@ -59,7 +59,8 @@ private:
             return result.vote.stable_step;
         });
         take_initial_stresses({stress_is_free<Point>, solid_gauss_points, first_gauss_point,
-                               eight_point_size<Point>, Point::plastic_strain});
+                               eight_point_size<Point>, Point::plastic_strain,
+                               shown_variables(point_, false)});
         finish_start(std::move(first_step), state);
     }
 

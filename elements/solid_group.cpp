@@ -1,6 +1,7 @@
 #include "elements/solid_group.h"
 
 #include "core/run_error.h"
+#include "elements/solid_strain.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -47,6 +48,10 @@ SolidGroup::SolidGroup(SolidSetup setup, const State& state, int history_size, i
       constants_(static_cast<std::size_t>(patches_.batch_count()) * constant_count)
 {
     const Model& model = setup_.model;
+    if (model.controls.output.strains() && !setup_.thick_shells) {
+        strain_.resize(6 * static_cast<std::size_t>(patches_.batch_count()));
+        take_initial_strains();
+    }
     const Index material = model.parts[setup_.part].material;
     if (material == none) return;
     if (const auto criteria = erosion_criteria(model, model.materials[material])) {
@@ -208,6 +213,71 @@ void SolidGroup::put_initial_stress(std::size_t place, const InitialStress& init
         const InitialStressPoint& one = initial.points[given == 1 ? 0 : listed];
         put_stress(one.stress, point, lane);
         if (places.plastic_strain >= 0) point[6 + places.plastic_strain][lane] = one.plastic_strain;
+    }
+}
+
+/// *INITIAL_STRAIN_SOLID: nothing but what result files show begins with it.
+void SolidGroup::take_initial_strains()
+{
+    if (!setup_.initial_strains || setup_.initial_strains->empty()) return;
+    for_each_element([&](const Patches::Patch&, std::size_t place) {
+        const auto found = setup_.initial_strains->find(static_cast<Index>(element_of(place)));
+        if (found == setup_.initial_strains->end()) return;
+        put_stress(mean_of(found->second).stress, &strain_[6 * (place / lane_count)],
+                   static_cast<int>(place % lane_count));
+    });
+}
+
+void SolidGroup::add_strains(Index batch, const NodeCopies& nodes, double time_step)
+{
+    Lanes* strain = &strain_[6 * static_cast<std::size_t>(batch)];
+    if (setup_.ten_nodes) {
+        Vector3<Lanes> x[10], v[10];
+        for (int i = 0; i < 10; ++i) {
+            v[i] = load_corner<Lanes>(nodes.velocity.data(), patches_.corner_offsets(batch, i));
+            x[i] = load_corner<Lanes>(nodes.position.data(), patches_.corner_offsets(batch, i)) -
+                   broadcast<Lanes>(0.5 * time_step) * v[i];
+        }
+        const TenNodeRule& rule = *setup_.ten_nodes;
+        add_strain(mean_gradient(ten_node_modes(rule, x), ten_node_modes(rule, v)), time_step, strain);
+        return;
+    }
+    const SolidModes<Lanes> velocity = modes_at(batch, nodes.velocity);
+    const SolidModes<Lanes> middle = moved(modes_at(batch, nodes.position), -0.5 * time_step, velocity);
+    const bool centre = setup_.rule == SolidGradientRule::centre && !setup_.eight_points;
+    add_strain(centre ? mean_gradient<SolidGradientRule::centre>(middle, velocity)
+                      : mean_gradient<SolidGradientRule::mean>(middle, velocity),
+               time_step, strain);
+}
+
+/// History variable `number` (from 0) of an element as result files show it: the mean of its points.
+double SolidGroup::shown_value(std::size_t place, int number) const
+{
+    const StressPlaces& places = stress_places_;
+    if (number >= static_cast<int>(places.shown.size())) return 0;
+    const ShownVariable& shown = places.shown[number];
+    if (shown.variable < 0) return 0;
+    const Lanes* history = history_of(static_cast<Index>(place / lane_count));
+    const int lane = static_cast<int>(place % lane_count);
+    if (places.points == 1) return history[point_history + shown.variable][lane] - shown.start;
+    double sum = 0;
+    for (int point = 0; point < places.points; ++point)
+        sum += history[places.first + point * places.size + 6 + shown.variable][lane];
+    return sum / places.points - shown.start;
+}
+
+void SolidGroup::collect_point_results(std::size_t place, Index row, ElementResults& results) const
+{
+    if (!is_alive(place)) return;
+    if (!results.solid_history.empty()) {
+        for (int i = 0; i < results.solid_history_size; ++i)
+            results.solid_history[static_cast<std::size_t>(row) * results.solid_history_size + i] =
+                shown_value(place, i);
+    }
+    if (!results.solid_strain.empty() && !strain_.empty()) {
+        const Lanes* s = &strain_[6 * (place / lane_count)];
+        const std::size_t lane = place % lane_count;
+        results.solid_strain[row] = {s[0][lane], s[1][lane], s[2][lane], s[3][lane], s[4][lane], s[5][lane]};
     }
 }
 
@@ -406,7 +476,7 @@ void SolidGroup::report(EnergyLedger& ledger) const
 
 void SolidGroup::serialise(Archive& archive)
 {
-    archive(smallest_step_, history_, alive_, viscous_, eroded_internal_, eroded_hourglass_);
+    archive(smallest_step_, history_, strain_, alive_, viscous_, eroded_internal_, eroded_hourglass_);
 }
 
 void SolidGroup::collect(const State& state, ElementResults& results) const
@@ -432,6 +502,7 @@ void SolidGroup::collect(const State& state, ElementResults& results) const
             results.solid_plastic_strain[row] =
                 plastic_strain_ < 0 ? 0 : history[point_history + plastic_strain_][lane];
         }
+        if (wanted) collect_point_results(place, row, results);
         if (wanted && !results.solid_deleted.empty()) results.solid_deleted[row] = !is_alive(place);
         if (results.part_motion.empty() || !is_alive(place)) return;
         auto& motion = results.part_motion[setup_.part];

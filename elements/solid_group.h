@@ -37,6 +37,7 @@ struct SolidSetup {
     double shortest_step = 0;               ///< TDEL: elements below it are deleted [time]
     bool erode_inverted = false;            ///< delete elements without volume instead of stopping the run
     const InitialStresses* initial_stresses = nullptr; ///< looked at while the group is made
+    const InitialStresses* initial_strains = nullptr;  ///< likewise; of what result files show
     bool thick_shells = false;                         ///< the elements are those of *ELEMENT_TSHELL
 
     int corner_count() const { return ten_nodes ? 10 : 8; }
@@ -110,10 +111,11 @@ protected:
 
     /// Where the stresses of a formulation's points stand in the history of a batch.
     struct StressPlaces {
-        bool free = false;       ///< the law takes a stress as it is
-        int points = 1;          ///< 1: the mean stress is that of the point
-        int first = 0, size = 0; ///< of several points
-        int plastic_strain = -1; ///< variable of a point's law, or -1
+        bool free = false;                  ///< the law takes a stress as it is
+        int points = 1;                     ///< 1: the mean stress is that of the point
+        int first = 0, size = 0;            ///< of several points
+        int plastic_strain = -1;            ///< variable of a point's law, or -1
+        std::vector<ShownVariable> shown{}; ///< history variables of a point in result files
     };
     /// Takes the stresses and plastic strains that the deck gives for the start; DeckError for laws whose
     /// stress follows from something else.
@@ -133,8 +135,10 @@ protected:
                           [&](std::ptrdiff_t number, const Patches::Patch& patch, NodeCopies& nodes) {
                               PatchSum sum;
                               const Index end = patch.first_batch + patch.batch_count;
-                              for (Index batch = patch.first_batch; batch < end; ++batch)
+                              for (Index batch = patch.first_batch; batch < end; ++batch) {
                                   work(patch, batch, nodes, sum);
+                                  if (!strain_.empty()) add_strains(batch, nodes, clock.last_step);
+                              }
                               sums_[number] = std::move(sum);
                           });
         close_cycle(state);
@@ -226,6 +230,7 @@ private:
     LaneArray step_factor_; ///< by batch: what loose elements lose and mass scaling gains; empty without
     LaneArray step_limit_;  ///< by batch: longest step of loose elements [time]; empty without
     LaneArray alive_;       ///< by batch: 1, or 0 when deleted; empty while none is
+    LaneArray strain_;      ///< batch x 6: strains for result files; empty unless they are wanted (STRFLG)
     StepVote vote_;
     double internal_ = 0, hourglass_ = 0, viscous_ = 0;
     double eroded_internal_ = 0, eroded_hourglass_ = 0;
@@ -239,6 +244,10 @@ private:
     Corners distinct_corners(const Patches::Patch&, std::size_t place) const;
     const Patches::Patch& patch_of(std::size_t place) const;
     void put_initial_stress(std::size_t place, const InitialStress&, const StressPlaces&);
+    void take_initial_strains();
+    void add_strains(Index batch, const NodeCopies&, double time_step);
+    double shown_value(std::size_t place, int number) const;
+    void collect_point_results(std::size_t place, Index row, ElementResults&) const;
     void hold_back_loose_elements(const State&);
     void limit_step(std::size_t place, double limit);
     void silence(Index batch, const LaneMask& dead, const LaneMask& silent, SolidVote<Lanes>&);

@@ -180,7 +180,7 @@ const Record& material_of(const Model& model, const Part& part)
 }
 
 void add_part(const Model& model, Index part_index, const std::vector<Index>& elements,
-              const InitialStresses& initial_stresses, State& state,
+              const InitialStresses& initial_stresses, const InitialStresses& initial_strains, State& state,
               std::vector<std::unique_ptr<SolidGroup>>& groups)
 {
     const Part& part = model.parts[part_index];
@@ -220,6 +220,7 @@ void add_part(const Model& model, Index part_index, const std::vector<Index>& el
         if (members.empty()) continue;
         SolidSetup setup{model, part_index, std::move(members)};
         setup.initial_stresses = &initial_stresses;
+        setup.initial_strains = &initial_strains;
         if (ten > 0) setup.ten_nodes = formulation == 16 ? &quadratic_tetrahedron : &composite_tetrahedron;
         for (Index element : setup.elements) {
             if (const auto* all = ten_nodes(model, element)) {
@@ -262,11 +263,13 @@ std::vector<std::unique_ptr<SolidGroup>> make_solid_groups(const Model& model, S
         elements[model.solids.part[element]].push_back(static_cast<Index>(element));
     }
     const InitialStresses initial_stresses = initial_solid_stresses(model);
+    const InitialStresses initial_strains = initial_solid_strains(model);
     std::vector<std::unique_ptr<SolidGroup>> groups;
     for (std::size_t part = 0; part < elements.size(); ++part) {
         const auto number = static_cast<Index>(part);
         if (elements[part].empty() || is_eulerian(model, number) || is_cohesive(model, number)) continue;
-        add_part(model, static_cast<Index>(part), elements[part], initial_stresses, state, groups);
+        add_part(model, static_cast<Index>(part), elements[part], initial_stresses, initial_strains, state,
+                 groups);
     }
     return groups;
 }

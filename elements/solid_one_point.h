@@ -59,7 +59,8 @@ private:
                                                  0.0, trial.data(), constants_of(batch));
             return result.vote.stable_step;
         });
-        take_initial_stresses({stress_is_free<Point>, 1, 0, 0, Point::plastic_strain});
+        take_initial_stresses(
+            {stress_is_free<Point>, 1, 0, 0, Point::plastic_strain, shown_variables(point_, false)});
         finish_start(std::move(first_step), state);
     }
 };

@@ -79,7 +79,7 @@ private:
             return result.vote.stable_step;
         });
         take_initial_stresses({stress_is_free<Point>, ten_points, first_ten_point, ten_point_size<Point>,
-                               Point::plastic_strain});
+                               Point::plastic_strain, shown_variables(point_, false)});
         finish_start(std::move(first_step), state);
     }
 

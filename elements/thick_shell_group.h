@@ -5,6 +5,7 @@
 #include "elements/thick_shell_step.h"
 
 #include <algorithm>
+#include <variant>
 
 namespace plash {
 
@@ -17,9 +18,7 @@ public:
     template <class StartLaw>
     ThickShellGroup(Law law, ThickShellSettings settings, SolidSetup setup, State& state,
                     StartLaw&& start_law)
-        : SolidGroup(std::move(setup), state,
-                     first_thick_point + settings.columns * settings.rule.size() * thick_point_size<Law>,
-                     point_constants, 0),
+        : SolidGroup(std::move(setup), state, thick_history_size<Law>(settings), point_constants, 0),
           law_(std::move(law)),
           settings_(std::move(settings))
     {
@@ -37,10 +36,7 @@ private:
     Law law_;
     ThickShellSettings settings_;
 
-    int history_size() const
-    {
-        return first_thick_point + settings_.columns * settings_.rule.size() * thick_point_size<Law>;
-    }
+    int history_size() const { return thick_history_size<Law>(settings_); }
 
     void add_batch_forces(Index batch, double time_step, NodeCopies& nodes, PatchSum& sum)
     {
@@ -118,13 +114,24 @@ private:
         const Index row = results.row_of_thick_shell(static_cast<Index>(element_of(place)));
         if (row == none) return;
         if (!results.thick_shell_deleted.empty()) results.thick_shell_deleted[row] = !is_alive(place);
-        if (results.thick_shell_stress.empty() && results.thick_shell_plastic_strain.empty()) return;
+        if (!results.thick_shell_history.empty()) collect_history(place, row, results);
+        if (results.thick_shell_stress.empty() && results.thick_shell_plastic_strain.empty() &&
+            results.thick_shell_strain.empty())
+            return;
         Vec3 corners[8];
         for (int i = 0; i < 8; ++i) corners[i] = state.position[corner(patch, place, i)];
         const Tensor3<double> r = axes_of(modes_of(corners));
         const Tensor3<double> back{r.xx, r.yx, r.zx, r.xy, r.yy, r.zy, r.xz, r.yz, r.zz};
         const Lanes* history = history_of(static_cast<Index>(place / lane_count));
         const int lane = static_cast<int>(place % lane_count), layers = settings_.rule.size();
+        if (!results.thick_shell_strain.empty() && settings_.strains) {
+            for (const int side : {0, 1}) {
+                const Lanes* s = history + history_size() - 12 + 6 * side;
+                const SymmetricTensor<double> strain{s[0][lane], s[1][lane], s[2][lane],
+                                                     s[3][lane], s[4][lane], s[5][lane]};
+                results.thick_shell_strain[row][side] = rotated(strain, back);
+            }
+        }
         for (int layer = 0; layer < results.thick_shell_layers; ++layer) {
             const auto [first, last] = points_of_layer(layer, results.thick_shell_layers, layers);
             const double share = 1.0 / (settings_.columns * (last - first + 1));
@@ -145,6 +152,47 @@ private:
                 results.thick_shell_stress[entry] = rotated(stress, back);
             if (!results.thick_shell_plastic_strain.empty())
                 results.thick_shell_plastic_strain[entry] = plastic_strain;
+        }
+    }
+
+    /// Variables of the law that result files show of a point; plies have laws of their own.
+    std::vector<ShownVariable> shown_of(int point) const
+    {
+        if constexpr (requires { Law::ply_place; }) {
+            std::vector<ShownVariable> shown = std::visit(
+                [](const auto& law) { return shown_variables(law, kind == ThickShellStress::plane); },
+                law_.plies[point]);
+            for (ShownVariable& one : shown)
+                if (one.variable >= 0) one.variable += Law::own;
+            return shown;
+        } else {
+            return shown_variables(law_, kind == ThickShellStress::plane);
+        }
+    }
+
+    void collect_history(std::size_t place, Index row, ElementResults& results) const
+    {
+        const Lanes* history = history_of(static_cast<Index>(place / lane_count));
+        const int lane = static_cast<int>(place % lane_count), layers = settings_.rule.size();
+        const int wanted = results.shell_history_size;
+        for (int layer = 0; layer < results.thick_shell_layers; ++layer) {
+            const auto [first, last] = points_of_layer(layer, results.thick_shell_layers, layers);
+            double* values =
+                &results.thick_shell_history[(static_cast<std::size_t>(row) * results.thick_shell_layers +
+                                              layer) *
+                                             wanted];
+            for (int point = first; point <= last; ++point) {
+                const std::vector<ShownVariable> shown = shown_of(point);
+                const double share = 1.0 / (settings_.columns * (last - first + 1));
+                for (int i = 0; i < std::min<int>(wanted, static_cast<int>(shown.size())); ++i) {
+                    if (shown[i].variable < 0) continue;
+                    for (int column = 0; column < settings_.columns; ++column) {
+                        const Lanes* own = history + first_thick_point +
+                                           (column * layers + point) * thick_point_size<Law> + 6;
+                        values[i] += share * (own[shown[i].variable][lane] - shown[i].start);
+                    }
+                }
+            }
         }
     }
 };

@@ -104,6 +104,7 @@ ThickShellSettings thick_shell_settings(const Model& model, const Part& part,
     const ThickShellStress stress = thick_shell_stress(model, part);
     const Id formulation = thick_formulation(section);
     ThickShellSettings settings;
+    settings.strains = model.controls.output.strains();
     settings.columns = formulation == 2 || formulation == 3 || formulation == 7 ? 4 : 1;
     if (plies > 0) {
         if (plies > most_thick_points) {

@@ -26,6 +26,7 @@ struct ThickShellSettings {
     double wave_speed = 0;    ///< [velocity]
     bool bulk_viscosity = false;
     bool points_fail = false; ///< the law has a failure strain
+    bool strains = false;     ///< those of the innermost and outermost points are kept for result files
 };
 
 /// Where the points stand in the history of a thick shell: behind the mean plastic strain, column after
@@ -35,6 +36,15 @@ inline constexpr int first_thick_point = point_history + 1;
 
 template <class Law>
 inline constexpr int thick_point_size = 6 + static_cast<int>(Law::history_size);
+
+/// Length of the history: behind the points stand, where they are wanted, twelve strains as in a shell's
+/// record (ShellSettings::strain_place).
+template <class Law>
+inline int thick_history_size(const ThickShellSettings& settings)
+{
+    return first_thick_point + settings.columns * settings.rule.size() * thick_point_size<Law> +
+           (settings.strains ? 12 : 0);
+}
 
 /// Whether a law gives stresses of a shell (types 1 and 2) or of a solid (types 3 and 5).
 enum class ThickShellStress { plane, solid };
@@ -223,6 +233,15 @@ inline SolidResult<Lane> thick_shell_step(const Law& law, const ThickShellSettin
                     law.update_plane_stress(stress, increment, variables, time_step);
                 }
                 stress.zz = old.zz + settings.young_modulus * strain.ezz;
+            }
+            if (settings.strains) {
+                if constexpr (kind == ThickShellStress::plane) increment.zz = strain.ezz;
+                Lane* const strains = history + thick_history_size<Law>(settings) - 12;
+                for (const int side : {0, 1}) {
+                    if (layer != side * (layers - 1)) continue;
+                    put_tensor(strains + 6 * side, tensor_at(strains + 6 * side) +
+                                                       broadcast<Lane>(1.0 / settings.columns) * increment);
+                }
             }
             if constexpr (requires { law.failed(variables); }) failed &= law.failed(variables);
             if constexpr (requires { Law::ply_place; }) failed &= law.failed(layer, variables);

@@ -43,6 +43,12 @@ struct CompositeDamage {
     };
     /// Flags are 1 while something holds.
     std::array<double, history_size> initial_history() const { return {0, 0, 0, 1, 1, 1, 1, 1}; }
+
+    /// 1 as long as they hold: fibres in tension and in compression, matrix likewise, (5), the whole ply.
+    std::vector<ShownVariable> shown_history(bool /*of_shells*/) const
+    {
+        return {{fiber}, {fiber_compressed}, {matrix}, {matrix_compressed}, {}, {sound}};
+    }
     double density() const { return plane.density; }
     double largest_modulus() const { return plane.largest_modulus(); }
 

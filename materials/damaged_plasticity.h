@@ -24,6 +24,12 @@ struct DamagedPlasticity {
 
     std::array<double, history_size> initial_history() const;
 
+    /// The bound of the yield stress as in *MAT_024, and the damage.
+    std::vector<ShownVariable> shown_history(bool /*of_shells*/) const
+    {
+        return {{PiecewiseLinearPlasticity::yield_bound}, {damage}};
+    }
+
     bool fractures() const { return onset < 1e12 || rupture < 1e13; }
 
     template <class Lane>

@@ -2,6 +2,8 @@
 
 #include "math/symmetric_tensor.h"
 
+#include <vector>
+
 namespace plash {
 
 /// The history variables of a batch of integration points: entry k holds variable k of every lane.
@@ -20,6 +22,7 @@ namespace plash {
 ///   plastic_strain                        which history variable is the effective plastic strain
 ///   rotate_history(history, rotation)     turns tensors in the history (back stress) with the material
 ///   failed(history)                       mask of the points that have failed for good
+///   shown_history(of_shells)              what result files show of the history, see ShownVariable
 /// Both updates are inline templates over the lane type; increments are tensor strains in axes that turn with
 /// the material.
 template <class Lane>
@@ -28,6 +31,35 @@ struct HistoryView {
 
     Lane& operator[](int variable) const { return values[variable]; }
 };
+
+/// What a result file shows as one history variable of a point (NEIPH, NEIPS of *DATABASE_EXTENT_BINARY).
+struct ShownVariable {
+    int variable = -1; ///< of the law; -1: LS-DYNA shows something there that Plash does not keep
+    double start = 0;  ///< shown is what the variable has more than this
+};
+
+/// The history variables that result files show of a law, by LS-DYNA's numbers from 1 on: what the law says,
+/// or else all its variables but the plastic strain, which has a place of its own. Laws that wrap another one
+/// (as `law`) keep its variables first, in their places.
+template <class Law>
+std::vector<ShownVariable> shown_variables(const Law& law, bool of_shells)
+{
+    if constexpr (requires { law.shown_history(of_shells); }) {
+        return law.shown_history(of_shells);
+    } else if constexpr (requires { law.law; }) {
+        return shown_variables(law.law, of_shells);
+    } else {
+        std::vector<ShownVariable> shown;
+        if constexpr (requires { Law::history_size; }) {
+            for (int variable = 0; variable < static_cast<int>(Law::history_size); ++variable) {
+                if constexpr (requires { Law::plastic_strain; })
+                    if (variable == static_cast<int>(Law::plastic_strain)) continue;
+                shown.push_back({variable, 0});
+            }
+        }
+        return shown;
+    }
+}
 
 /// Stores a tensor in six variables, in the order of its components.
 template <class Lane>

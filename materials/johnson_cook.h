@@ -42,6 +42,13 @@ struct JohnsonCook {
     enum History { plastic_strain, temperature, damage, spalled, history_size };
     std::array<double, history_size> initial_history() const { return {0, room, 0, 0}; }
 
+    /// Damage and rise of the temperature, at LS-DYNA's numbers 4 and 5 of shells, 6 and 5 of solids.
+    std::vector<ShownVariable> shown_history(bool of_shells) const
+    {
+        if (of_shells) return {{}, {}, {}, {damage}, {temperature, room}};
+        return {{}, {}, {}, {}, {temperature, room}, {damage}};
+    }
+
     double lowest_pressure() const { return spall.lowest_pressure(); }
 
     /// DeckError for the fields of a law that is not this one (RATEOP).

@@ -40,6 +40,13 @@ struct PlasticKinematic : PlasticKinematicParameters {
     static constexpr int history_size = with_back_stress ? 7 : 1;
     std::array<double, history_size> initial_history() const { return {}; }
 
+    /// The back stress xx, yy, xy, yz, zx.
+    std::vector<ShownVariable> shown_history(bool /*of_shells*/) const
+    {
+        if (!with_back_stress) return {};
+        return {{back_stress}, {back_stress + 1}, {back_stress + 3}, {back_stress + 4}, {back_stress + 5}};
+    }
+
     static PlasticKinematic from_record(const Record& record, const Model&)
     {
         return {PlasticKinematicParameters::from_record(record)};

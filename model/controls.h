@@ -93,6 +93,15 @@ struct OutputControls {
     std::vector<Index> history_beams;
     std::vector<Index> history_particles; ///< nodes of *DATABASE_HISTORY_SPH
     std::map<std::string, double> extent; ///< *DATABASE_EXTENT_BINARY by field name, where the deck has it
+
+    /// A field of *DATABASE_EXTENT_BINARY; 0 where the deck leaves it out.
+    int extent_of(const std::string& field) const
+    {
+        const auto found = extent.find(field);
+        return found == extent.end() ? 0 : static_cast<int>(found->second);
+    }
+    /// STRFLG, whose last digit asks for the strains of elements.
+    bool strains() const { return extent_of("STRFLG") % 10 == 1; }
 };
 
 struct Controls {

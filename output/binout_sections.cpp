@@ -397,6 +397,16 @@ private:
             file.put(name, column);
         }
         file.put("plastic_strain", strain);
+        const std::size_t tensors = elements[0].strains.size();
+        for (std::size_t side = 0; side < tensors; ++side) {
+            const char* prefix = tensors == 1 ? "eps" : side == 0 ? "lower_eps" : "upper_eps";
+            for (const auto& [name, component] : components) {
+                std::vector<double> column;
+                for (const ElementHistory& element : elements)
+                    column.push_back(element.strains[side].*component);
+                file.put(prefix + std::string(name).substr(3), column);
+            }
+        }
     }
 };
 

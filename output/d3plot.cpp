@@ -2,6 +2,8 @@
 
 #include "output/nodal_motion.h"
 
+#include <algorithm>
+
 namespace plash {
 
 namespace {
@@ -49,14 +51,22 @@ void D3plotRecorder::write_state(const Snapshot& snapshot)
     if (layout_.shell_forces) clear(r.shell_resultants, shells);
     if (layout_.shell_extra) clear(r.shell_thickness, shells);
     if (layout_.shell_extra) clear(r.shell_internal_energy, shells);
+    r.shell_history_size = layout_.shell_variables;
+    clear(r.shell_history, shells * layout_.layers * layout_.shell_variables);
+    if (layout_.strains) clear(r.shell_strain, shells);
     clear(r.shell_deleted, shells);
     clear(r.solid_stress, solids);
     clear(r.solid_plastic_strain, solids);
+    r.solid_history_size = layout_.solid_variables;
+    clear(r.solid_history, solids * layout_.solid_variables);
+    if (layout_.strains) clear(r.solid_strain, solids);
     clear(r.solid_deleted, solids);
     const std::size_t thick_shells = layout_.thick_shells.size();
     r.thick_shell_layers = layout_.layers;
     clear(r.thick_shell_stress, thick_shells * layout_.layers);
     clear(r.thick_shell_plastic_strain, thick_shells * layout_.layers);
+    clear(r.thick_shell_history, thick_shells * layout_.layers * layout_.shell_variables);
+    if (layout_.strains) clear(r.thick_shell_strain, thick_shells);
     clear(r.thick_shell_deleted, thick_shells);
     clear(r.beams, beams);
     clear(r.beam_deleted, beams);
@@ -122,21 +132,40 @@ void D3plotRecorder::put_globals(const Snapshot& snapshot, const Vec3& velocity)
 
 void D3plotRecorder::put_solids()
 {
+    const std::size_t variables = layout_.solid_variables, groups = layout_.fluid_groups;
     for (Index solid : layout_.solids) {
         put(family_, results_.solid_stress[solid]);
         family_.put(results_.solid_plastic_strain[solid]);
-        if (layout_.fluid_groups > 0) family_.put(results_.solid_density[solid]);
-        for (const auto& fraction : results_.solid_fraction) family_.put(fraction[solid]);
+        // An Eulerian cell has no history of its own, and no other solid has a density or groups.
+        for (std::size_t i = 0; i < layout_.solid_history(); ++i) {
+            double value = i < variables ? results_.solid_history[solid * variables + i] : 0;
+            if (groups > 0 && i == 0) value += results_.solid_density[solid];
+            if (i > 0 && i <= groups) value += results_.solid_fraction[i - 1][solid];
+            family_.put(value);
+        }
+        if (layout_.strains) put(family_, results_.solid_strain[solid]);
     }
 }
 
+/// One layer of a shell or thick shell.
+void D3plotRecorder::put_point(std::size_t place, const std::vector<SymmetricTensor<double>>& stress,
+                               const std::vector<double>& strain, const std::vector<double>& history)
+{
+    if (layout_.shell_stress) put(family_, stress[place]);
+    if (layout_.shell_strain) family_.put(strain[place]);
+    const std::size_t variables = layout_.shell_variables;
+    for (std::size_t i = 0; i < variables; ++i) family_.put(history[place * variables + i]);
+}
+
+/// The strains stand behind the third layer, whatever MAXINT says.
 void D3plotRecorder::put_thick_shells()
 {
     for (Index shell : layout_.thick_shells) {
         for (int layer = 0; layer < layout_.layers; ++layer) {
-            const std::size_t place = static_cast<std::size_t>(shell) * layout_.layers + layer;
-            if (layout_.shell_stress) put(family_, results_.thick_shell_stress[place]);
-            if (layout_.shell_strain) family_.put(results_.thick_shell_plastic_strain[place]);
+            put_point(static_cast<std::size_t>(shell) * layout_.layers + layer, results_.thick_shell_stress,
+                      results_.thick_shell_plastic_strain, results_.thick_shell_history);
+            if (!layout_.strains || layer != std::min(2, layout_.layers - 1)) continue;
+            for (const auto& strain : results_.thick_shell_strain[shell]) put(family_, strain);
         }
     }
 }
@@ -162,9 +191,8 @@ void D3plotRecorder::put_shells()
 {
     for (Index shell : layout_.shells) {
         for (int layer = 0; layer < layout_.layers; ++layer) {
-            const std::size_t place = static_cast<std::size_t>(shell) * layout_.layers + layer;
-            if (layout_.shell_stress) put(family_, results_.shell_stress[place]);
-            if (layout_.shell_strain) family_.put(results_.shell_plastic_strain[place]);
+            put_point(static_cast<std::size_t>(shell) * layout_.layers + layer, results_.shell_stress,
+                      results_.shell_plastic_strain, results_.shell_history);
         }
         if (layout_.shell_forces) {
             for (double component : results_.shell_resultants[shell]) family_.put(component);
@@ -173,8 +201,11 @@ void D3plotRecorder::put_shells()
             family_.put(results_.shell_thickness[shell]);
             family_.put(0); // two element dependent variables that no formulation here has
             family_.put(0);
-            family_.put(results_.shell_internal_energy[shell]);
         }
+        if (layout_.strains) {
+            for (const auto& strain : results_.shell_strain[shell]) put(family_, strain);
+        }
+        if (layout_.shell_extra) family_.put(results_.shell_internal_energy[shell]);
     }
 }
 

@@ -28,6 +28,8 @@ private:
     void serialise_files(Archive& archive) override { archive(family_); }
     void put_globals(const Snapshot&, const Vec3& velocity);
     void put_solids();
+    void put_point(std::size_t place, const std::vector<SymmetricTensor<double>>& stress,
+                   const std::vector<double>& strain, const std::vector<double>& history);
     void put_thick_shells();
     void put_beams();
     void put_shells();

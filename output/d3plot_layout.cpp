@@ -118,7 +118,8 @@ std::vector<std::uint32_t> control_block(const Model& model, const D3plotLayout&
     words[31] = count(layout.shells.size());
     words[32] = parts_with(model.shells.part, part_count);
     words[33] = count(layout.shell_words());
-    words[34] = count(layout.solid_history()); // NEIPH
+    words[34] = count(layout.solid_history() + 6 * layout.strains); // NEIPH: the last six are strains
+    words[35] = static_cast<std::uint32_t>(layout.shell_variables); // NEIPS
     words[36] =
         static_cast<std::uint32_t>(-(10000 + layout.layers)); // MAXINT; the minus: deletion per element
     words[37] = count(layout.particles.size());               // NMSPH
@@ -133,7 +134,8 @@ std::vector<std::uint32_t> control_block(const Model& model, const D3plotLayout&
     words[45] = layout.shell_forces ? 1000 : 999;
     words[46] = layout.shell_extra ? 1000 : 999;
     words[51] = count(part_count);
-    words[53] = 1; // INN: invariant node numbering for shells
+    words[53] = 1;                          // INN: invariant node numbering for shells
+    words[56] = layout.strains ? 10000 : 0; // IDTDT: its fifth digit is ISTRN
     return words;
 }
 
@@ -208,12 +210,13 @@ D3plotLayout::D3plotLayout(const Model& model)
     for (const Part& part : model.parts) part_ids.push_back(part.id);
     parts = sorted_by_id(part_ids);
 
-    const auto& extent = model.controls.output.extent;
     const auto field = [&](const char* name, int fallback) {
-        const auto found = extent.find(name);
-        const int value = found == extent.end() ? 0 : static_cast<int>(found->second);
+        const int value = model.controls.output.extent_of(name);
         return value == 0 ? fallback : value;
     };
+    solid_variables = std::max(0, field("NEIPH", 0));
+    shell_variables = std::max(0, field("NEIPS", 0));
+    strains = model.controls.output.strains();
     layers = std::abs(field("MAXINT", 3));
     beam_points = std::max(0, field("BEAMIP", 0));
     shell_stress = field("SIGFLG", 1) != 2;

@@ -2,6 +2,7 @@
 
 #include "model/model.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct D3plotLayout {
     bool shell_strain = true;        ///< EPSFLG: plastic strain
     bool shell_forces = true;        ///< RLTFLG: resultants
     bool shell_extra = true;         ///< ENGFLG: thickness, internal energy
+    int solid_variables = 0;         ///< NEIPH: history variables of solids, without those of Eulerian cells
+    int shell_variables = 0;         ///< NEIPS: of each point of shells
+    bool strains = false;            ///< STRFLG: one tensor for solids, two for shells and thick shells
     bool one_state_per_file = false; ///< IEVERP
     std::size_t walls = 0;
     /// Groups of an Eulerian mesh; with one, solids carry density and the share of each group as history
@@ -30,15 +34,20 @@ struct D3plotLayout {
     explicit D3plotLayout(const Model&);
 
     std::size_t global_words() const { return 6 + 7 * parts.size() + 4 * walls; }
-    std::size_t solid_history() const { return fluid_groups > 0 ? 1 + fluid_groups : 0; }
-    std::size_t solid_words() const { return 7 + solid_history(); }
+    /// Those of Eulerian cells come first, at the numbers 1, 2 ... as in LS-DYNA.
+    std::size_t solid_history() const
+    {
+        return std::max<std::size_t>(solid_variables, fluid_groups > 0 ? 1 + fluid_groups : 0);
+    }
+    std::size_t solid_words() const { return 7 + solid_history() + 6 * strains; }
+    /// Of a point of a shell or thick shell: stress, plastic strain, history.
+    std::size_t point_words() const { return 6 * shell_stress + shell_strain + shell_variables; }
     /// Resultants; shear stresses rs and tr, axial stress, plastic strain and axial strain of each point.
     std::size_t beam_words() const { return 6 + 5 * static_cast<std::size_t>(beam_points); }
-    /// Stresses and plastic strain of each point.
-    std::size_t thick_shell_words() const { return layers * (6 * shell_stress + shell_strain); }
+    std::size_t thick_shell_words() const { return layers * point_words() + 12 * strains; }
     std::size_t shell_words() const
     {
-        return layers * (6 * shell_stress + shell_strain) + 8 * shell_forces + 4 * shell_extra;
+        return layers * point_words() + 8 * shell_forces + 4 * shell_extra + 12 * strains;
     }
     /// Part; h, pressure, six stresses, strain, density, energy, neighbours, mass.
     std::size_t particle_words() const { return 14; }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <initializer_list>
 
 namespace plash {
 
@@ -26,6 +27,27 @@ void append_point(std::string& text, const PointStress& point)
     fmt::format_to(std::back_inserter(text), "{:<7} ", point.plastic_strain > 0 ? "plastic" : "elastic");
     const SymmetricTensor<double>& s = point.stress;
     for (double component : {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx}) append_scientific(text, component, 12, 4);
+}
+
+/// The strains of some elements behind their stresses, where they are asked for.
+/// sides  what stands before the tensors of an element
+void append_strains(std::string& text, std::span<const ElementHistory> elements,
+                    std::initializer_list<const char*> sides)
+{
+    if (elements.empty() || elements[0].strains.empty()) return;
+    text += "\n strains (global)      eps-xx      eps-yy      eps-zz      eps-xy      eps-yz      eps-zx";
+    text += std::string(36, ' ') + '\n' + std::string(117, ' ') + '\n';
+    for (const ElementHistory& element : elements) {
+        fmt::format_to(std::back_inserter(text), "{:8}-{:7}\n", element.id, element.part);
+        auto strain = element.strains.begin();
+        for (const char* side : sides) {
+            text += fmt::format("{:<17}", side);
+            for (double component : {strain->xx, strain->yy, strain->zz, strain->xy, strain->yz, strain->zx})
+                append_scientific(text, component, 12, 4);
+            text += '\n';
+            ++strain;
+        }
+    }
 }
 
 /// Marks the rows of some elements among `count`.
@@ -93,6 +115,7 @@ std::string format_layers(long cycle, double time, std::span<const ElementHistor
             text += '\n';
         }
     }
+    append_strains(text, shells, {" lower ipt", " upper ipt"});
     return text;
 }
 
@@ -117,6 +140,7 @@ std::string format_elout_solids(long cycle, double time, std::span<const Element
             text += '\n';
         }
     }
+    append_strains(text, solids, {""});
     return text;
 }
 
@@ -136,7 +160,8 @@ ElementHistories::ElementHistories(const Model& model)
       shell_rows_(rows_of(shells_, model.shells.size())),
       solid_rows_(rows_of(solids_, model.solids.size())),
       thick_shells_(without_repeats(model.controls.output.history_thick_shells)),
-      thick_shell_rows_(rows_of(thick_shells_, model.thick_shells.size()))
+      thick_shell_rows_(rows_of(thick_shells_, model.thick_shells.size())),
+      strains_(model.controls.output.strains())
 {
     for (Index shell : thick_shells_) {
         const int points = thick_shell_points(model, shell);
@@ -169,6 +194,11 @@ ElementHistories::Lists ElementHistories::collect(const Snapshot& snapshot) cons
     results.thick_shell_stress.resize(thick_shells_.size() * thick_shell_layers_);
     results.thick_shell_plastic_strain.resize(thick_shells_.size() * thick_shell_layers_);
     results.thick_shell_deleted.resize(thick_shells_.size());
+    if (strains_) {
+        results.shell_strain.resize(shells_.size());
+        results.solid_strain.resize(solids_.size());
+        results.thick_shell_strain.resize(thick_shells_.size());
+    }
     snapshot.collect(results);
 
     Lists lists;
@@ -179,6 +209,9 @@ ElementHistories::Lists ElementHistories::collect(const Snapshot& snapshot) cons
         const Record* section = section_of(model, part);
         ElementHistory& shell = thick_shells.emplace_back();
         shell.id = model.thick_shells.id[thick_shells_[row]];
+        if (strains_)
+            shell.strains.assign(results.thick_shell_strain[row].begin(),
+                                 results.thick_shell_strain[row].end());
         shell.part = model.parts[part].id;
         shell.formulation = section ? section->integer("ELFORM", 1) : 1;
         for (int point = 0; point < thick_shell_points_[row]; ++point) {
@@ -193,6 +226,7 @@ ElementHistories::Lists ElementHistories::collect(const Snapshot& snapshot) cons
         ElementHistory& solid = solids.emplace_back();
         solid.id = model.solids.id[solids_[row]];
         solid.part = model.parts[model.solids.part[solids_[row]]].id;
+        if (strains_) solid.strains = {results.solid_strain[row]};
         solid.points = {{results.solid_stress[row], results.solid_plastic_strain[row]}};
     }
     for (std::size_t row = 0; row < shells_.size(); ++row) {
@@ -201,6 +235,8 @@ ElementHistories::Lists ElementHistories::collect(const Snapshot& snapshot) cons
         const Record* section = section_of(model, part);
         ElementHistory& shell = shells.emplace_back();
         shell.id = model.shells.id[shells_[row]];
+        if (strains_)
+            shell.strains.assign(results.shell_strain[row].begin(), results.shell_strain[row].end());
         shell.part = model.parts[part].id;
         shell.formulation = section ? section->integer("ELFORM", 2) : 2;
         for (int point = 0; point < shell_points_[row]; ++point) {

@@ -21,6 +21,8 @@ struct ElementHistory {
     Id part = 0;
     Id formulation = 0; ///< ELFORM; printed for shells only
     std::vector<PointStress> points;
+    /// With STRFLG: of a solid one tensor, of shells those of the innermost and the outermost point.
+    std::vector<SymmetricTensor<double>> strains{};
 };
 
 /// The stress tables of one state as LS-DYNA prints them; `cycle` counts from 1. A point is called plastic
@@ -48,6 +50,7 @@ private:
     std::vector<Index> thick_shells_, thick_shell_rows_; ///< likewise
     std::vector<int> thick_shell_points_;
     int thick_shell_layers_ = 0;
+    bool strains_; ///< STRFLG
 };
 
 /// *DATABASE_ELOUT: the elements of *DATABASE_HISTORY_SHELL, _SOLID, _TSHELL and _BEAM. Eroded elements are

@@ -160,6 +160,7 @@ Scene make_scene(const Model& model)
     auto [interpolated_forces, interpolated_motion] = make_interpolations(model, state);
     if (interpolated_forces) scene.terms.push_back(std::move(interpolated_forces));
     RigidSetup bodies = make_rigid_bodies(model, state); // sees the velocities before fixities stop nodes
+    add_inertia_bodies(model, state, bodies);
     add_conditions(scene);
     if (!bodies.bodies.empty() || asks_for_rigid_bodies(model))
         scene.terms.push_back(std::make_unique<RigidBodies>(model, std::move(bodies), state));

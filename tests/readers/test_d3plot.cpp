@@ -423,6 +423,77 @@ TEST(D3plot, HonoursTheExtentThatTheDeckAsksFor)
     EXPECT_NEAR(sheets.cell_values.at("StressInnerSurf")[0][5], 5, 10 * digits); // shell 7 comes first
 }
 
+/// NEIPH, NEIPS and STRFLG lengthen the words of solids, shells and thick shells; what stands behind each of
+/// them keeps its place.
+TEST(D3plot, GivesHistoryVariablesAndStrains)
+{
+    TemporaryFolder folder;
+    SnapshotFixture fixture = small_model();
+    Model& model = fixture.model;
+    model.controls.output.extent = {{"NEIPH", 2}, {"NEIPS", 3}, {"STRFLG", 1}};
+    Part part;
+    part.id = 12;
+    part.title = "stack";
+    model.parts.push_back(part);
+    model.thick_shells.id = {41};
+    model.thick_shells.part = {3};
+    model.thick_shells.nodes = {{0, 1, 3, 2, 4, 5, 7, 6}};
+    fixture.start();
+    add_made_up_results(fixture);
+    const auto tensor = [](double base) {
+        return SymmetricTensor<double>{base, base + 1, base + 2, base + 3, base + 4, base + 5};
+    };
+    fixture.add_results().fill = [&](const State&, ElementResults& r) {
+        if (r.solid_stress.empty()) return;
+        ASSERT_EQ(r.solid_history_size, 2);
+        ASSERT_EQ(r.shell_history_size, 3);
+        for (Index e = 0; e < 3; ++e) {
+            for (int i = 0; i < 2; ++i) r.solid_history[2 * e + i] = 10 * e + i;
+            r.solid_strain[e] = tensor(100 * e);
+            for (int layer = 0; layer < 3; ++layer)
+                for (int i = 0; i < 3; ++i)
+                    r.shell_history[(3 * e + layer) * 3 + i] = 100 * e + 10 * layer + i;
+            r.shell_strain[e] = {tensor(20 * e), tensor(20 * e + 10)};
+        }
+        for (int layer = 0; layer < 3; ++layer) {
+            set_stress(r.thick_shell_stress[layer], 7, layer, 0);
+            for (int i = 0; i < 3; ++i) r.thick_shell_history[3 * layer + i] = 10 * layer + i;
+        }
+        r.thick_shell_strain[0] = {tensor(3), tensor(13)};
+    };
+    D3plotRecorder recorder(model, Schedule(0.1), database(folder));
+    write_states(fixture, recorder, 2);
+    const VtkD3plot read = read_with_vtk(database(folder), 1);
+    const auto expect_row = [](const std::vector<double>& row, double first, std::size_t count) {
+        ASSERT_EQ(row.size(), count);
+        for (std::size_t i = 0; i < count; ++i) EXPECT_NEAR(row[i], first + i, 1e3 * digits);
+    };
+    const VtkPart& blocks = read.part("blocks");
+    for (std::size_t cell = 0; cell < blocks.element_ids.size(); ++cell) {
+        const Index solid = index_of(model.solids.id, blocks.element_ids[cell]);
+        expect_row(blocks.cell_values.at("Strain")[cell], 100 * solid, 6);
+        const auto& history = blocks.cell_values.at("IntPtData")[cell];
+        ASSERT_GE(history.size(), 2u);
+        EXPECT_NEAR(history[0], 10 * solid, digits);
+        EXPECT_NEAR(history[1], 10 * solid + 1, 10 * digits);
+    }
+    const VtkPart& sheets = read.part("sheets");
+    const char* const surfaces[] = {"", "InnerSurf", "OuterSurf"};
+    for (std::size_t cell = 0; cell < sheets.element_ids.size(); ++cell) {
+        const Index shell = index_of(model.shells.id, sheets.element_ids[cell]);
+        for (int layer = 0; layer < 3; ++layer)
+            expect_row(sheets.cell_values.at(std::string("IntPtData") + surfaces[layer])[cell],
+                       100 * shell + 10 * layer, 3);
+        expect_row(sheets.cell_values.at("StrainInnerSurf")[cell], 20 * shell, 6);
+        expect_row(sheets.cell_values.at("StrainOuterSurf")[cell], 20 * shell + 10, 6);
+        EXPECT_NEAR(sheets.cell_values.at("Thickness")[cell][0], 1.5 + shell, 10 * digits);
+        EXPECT_NEAR(sheets.cell_values.at("InternalEnergy")[cell][0], 7 + shell, 100 * digits);
+    }
+    const VtkPart& stack = read.part("stack");
+    expect_row(stack.cell_values.at("StrainInnerSurf")[0], 3, 6);
+    expect_row(stack.cell_values.at("StrainOuterSurf")[0], 13, 6);
+}
+
 // LS-DYNA's own database through the same reader, so that the reader is known to be used rightly. Reference:
 // ../shared/decks/RESULTS.md and nodout beside the deck (node 5 at t = 9.99864).
 TEST(D3plot, ReaderUnderstandsTheDatabaseOfLsDyna)

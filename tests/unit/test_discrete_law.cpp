@@ -75,4 +75,61 @@ TEST(DiscreteLaw, CurvesMirrorAndInelasticSpringsUnloadAlongTheirStiffness)
     EXPECT_NEAR(moved(inelastic, crushed, -1.1, 1), -2, 1e-12);
 }
 
+/// S06 with two straight pieces for loading and one for unloading is the bilinear spring: S03 with isotropic
+/// hardening (BETA = 1), whatever way it is taken.
+TEST(DiscreteLaw, GeneralSpringsWithIsotropicHardeningAreTheBilinearOne)
+{
+    Model model;
+    add_curve(model, {-100.5, -0.5, 0.5, 100.5}, {-205, -5, 5, 205});
+    add_curve(model, {-50, 50}, {-500, 500});
+    const DiscreteLaw general =
+        discrete_law_of("MAT_SPRING_GENERAL_NONLINEAR",
+                        {{"LCDL", 1}, {"LCDU", 2}, {"BETA", 1}, {"TYI", 5}, {"CYI", -5}}, model);
+    const DiscreteLaw bilinear =
+        discrete_law_of("MAT_SPRING_ELASTOPLASTIC", {{"K", 10}, {"KT", 2}, {"FY", 5}});
+    DiscreteLaw::State a, b;
+    for (const double way : {0.4, -0.3, 1.5, 1.2, 1.9, -0.5, -1.8, -1.1, -2.5, 3.0, 2.9, 3.1, -4.0}) {
+        EXPECT_NEAR(moved(general, a, way, 50), moved(bilinear, b, way, 50), 1e-12) << way;
+    }
+}
+
+/// With kinematic hardening (BETA neither 0 nor 1) the range of yield keeps its width and moves along: after
+/// the tension of 7 the spring yields at -3 and goes on with the tangent.
+TEST(DiscreteLaw, GeneralSpringsWithKinematicHardeningKeepTheirRange)
+{
+    Model model;
+    add_curve(model, {-100.5, -0.5, 0.5, 100.5}, {-205, -5, 5, 205});
+    add_curve(model, {-50, 50}, {-500, 500});
+    const DiscreteLaw law =
+        discrete_law_of("MAT_SPRING_GENERAL_NONLINEAR",
+                        {{"LCDL", 1}, {"LCDU", 2}, {"BETA", 2}, {"TYI", 5}, {"CYI", -5}}, model);
+    DiscreteLaw::State state;
+    EXPECT_NEAR(moved(law, state, 1.5), 7, 1e-12);
+    EXPECT_NEAR(moved(law, state, 0.5), -3, 1e-12);
+    // The shifted loading curve has -3 on its first piece, which it leaves at -5.
+    EXPECT_NEAR(moved(law, state, 0.3), -5, 1e-12);
+    EXPECT_NEAR(moved(law, state, -0.7), -7, 1e-12);
+    EXPECT_NEAR(moved(law, state, 0.3), 3, 1e-12);
+}
+
+/// BETA = 0: a force that falls beyond its peak; below it the steep unloading curve, on which the spring
+/// comes back to where it turned, and compression with the yield force of its own.
+TEST(DiscreteLaw, GeneralSpringsMaySoften)
+{
+    Model model;
+    add_curve(model, {-3, -1, 0, 1, 2, 3}, {-4, -2, 0, 4, 6, 1});
+    add_curve(model, {-5, 5}, {-100, 100});
+    const DiscreteLaw law = discrete_law_of("MAT_SPRING_GENERAL_NONLINEAR",
+                                            {{"LCDL", 1}, {"LCDU", 2}, {"TYI", 4}, {"CYI", -2}}, model);
+    DiscreteLaw::State state;
+    EXPECT_NEAR(moved(law, state, 0.5), 2, 1e-12);
+    EXPECT_NEAR(moved(law, state, -0.5), -1, 1e-12); // has not yielded yet
+    EXPECT_NEAR(moved(law, state, 2.6), 3, 1e-12);
+    EXPECT_NEAR(moved(law, state, 2.5), 1, 1e-12);
+    EXPECT_NEAR(moved(law, state, 2.8), 2, 1e-12); // past the turning point along the loading curve
+    EXPECT_NEAR(moved(law, state, 2.7), 0, 1e-12);
+    EXPECT_NEAR(moved(law, state, 2.6), -2, 1e-12);
+    EXPECT_NEAR(moved(law, state, 1.6), -3, 1e-12); // compression from (-1, -2) on
+}
+
 } // namespace plash

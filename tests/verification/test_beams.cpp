@@ -136,7 +136,21 @@ TEST(Beams, SwingADiscInTorsion)
     EXPECT_NEAR(period_of(time, spin), period, 2e-4 * period);
     EXPECT_LT(scene.ledger.balance_error(), 1e-6);
 
+    // Another moment about y makes the node a body with a tensor; about x it swings all the same.
     model.others.back() = disc(0.5 * inertia);
+    InitialVelocity initial;
+    initial.nodes = {1};
+    initial.angular_velocity = {1e-6, 0, 0};
+    initial.set_rotation = true;
+    model.initial_velocities = {initial};
+    Scene other = make_scene(model);
+    time.clear();
+    spin.clear();
+    const Outcome of_tensor = run(other, recorders);
+    EXPECT_EQ(of_tensor.termination, Outcome::Termination::normal) << of_tensor.message;
+    EXPECT_NEAR(period_of(time, spin), period, 2e-4 * period);
+    EXPECT_LT(other.ledger.balance_error(), 1e-6);
+    model.others.back() = disc(-inertia);
     EXPECT_THROW(make_scene(model), DeckError);
 }
 
