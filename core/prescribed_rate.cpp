@@ -46,6 +46,8 @@ double prescribed_rate(const Model& model, const PrescribedMotion& motion, const
     case PrescribedMotion::Kind::velocity_of_displacement:
         next = motion.scale * curve_value(model, motion.curve, travelled);
         break;
+    case PrescribedMotion::Kind::relative_displacement: // between rigid bodies, which see to it themselves
+        break;
     }
     travelled += next * clock.step;
     return next;
