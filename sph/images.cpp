@@ -264,19 +264,31 @@ void Images::absorb(const Transform& transform, Index source, Index place, Parti
 
 void Images::reflect_passed(ParticleArrays& arrays, State& state) const
 {
+    const auto passes = [&](const MirrorPlane& mirror, Index node) {
+        return !mirror.absorbing && dot(state.position[node] - mirror.point, mirror.normal) < 0;
+    };
     if (mirrors_.empty()) return;
-    for (const Image& image : images_) {
-        const Index place = image.source;
-        const Index node = arrays.node[place];
-        for (const MirrorPlane& mirror : mirrors_) {
-            if (mirror.absorbing) continue;
-            const double gap = dot(state.position[node] - mirror.point, mirror.normal);
-            if (gap >= 0) continue;
-            state.position[node] -= 2 * gap * mirror.normal;
-            state.velocity[node] = mirror.reflected(state.velocity[node]);
-            // The heat of the second half of the step looks at the change of the velocity.
-            arrays.motion[place].velocity = mirror.reflected(arrays.motion[place].velocity);
-            arrays.viscous_force[place] = narrow(mirror.reflected(wide(arrays.viscous_force[place])));
+    std::vector<std::vector<Index>> found((images_.size() + chunk_length - 1) / chunk_length);
+    for_chunks(images_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Index node = arrays.node[images_[k].source];
+            const auto passed = [&](const MirrorPlane& mirror) { return passes(mirror, node); };
+            if (std::none_of(mirrors_.begin(), mirrors_.end(), passed)) continue;
+            found[begin / chunk_length].push_back(images_[k].source);
+        }
+    });
+    for (const std::vector<Index>& places : found) {
+        for (Index place : places) { // one that has several images stands back in after the first
+            const Index node = arrays.node[place];
+            for (const MirrorPlane& mirror : mirrors_) {
+                if (!passes(mirror, node)) continue;
+                const double gap = dot(state.position[node] - mirror.point, mirror.normal);
+                state.position[node] -= 2 * gap * mirror.normal;
+                state.velocity[node] = mirror.reflected(state.velocity[node]);
+                // The heat of the second half of the step looks at the change of the velocity.
+                arrays.motion[place].velocity = mirror.reflected(arrays.motion[place].velocity);
+                arrays.viscous_force[place] = narrow(mirror.reflected(wide(arrays.viscous_force[place])));
+            }
         }
     }
 }

@@ -86,6 +86,7 @@ Pairs walked_pairs(const Cloud& cloud)
         std::size_t inside = 0, outside = 0;
         for (Index i = 0; i < run.length(); ++i) {
             const Index p = run.begin + i;
+            EXPECT_EQ(run.batches[i].inside % (pair_count / lane_count), 0) << "two batches at a time";
             for (int k = 0; k < run.batches[i].inside * lane_count; ++k) {
                 const Index other = run.begin + run.inside[inside++];
                 if (other == p) continue; // filling
