@@ -13,9 +13,9 @@ namespace plash {
 
 namespace {
 
-using NodeNumbers = std::array<Index, 4>;
+using FaceNodes = std::array<Index, 4>;
 
-NodeNumbers sorted(NodeNumbers nodes)
+FaceNodes in_rising_order(FaceNodes nodes)
 {
     std::sort(nodes.begin(), nodes.end());
     return nodes;
@@ -56,23 +56,23 @@ std::vector<AbsorbingNode> absorbing_nodes_of(const Fluid& fluid, const MeshBloc
     std::unordered_map<Index, std::size_t> number; // of the mesh's nodes
     for (std::size_t i = 0; i < block.nodes.size(); ++i) number.emplace(block.nodes[i], i);
     // Outer faces have one cell.
-    std::map<NodeNumbers, std::pair<std::size_t, int>> faces; // cell, and how many there are
+    std::map<FaceNodes, std::pair<std::size_t, int>> faces; // cell, and how many there are
     for (std::size_t cell = 0; cell < block.solids.size(); ++cell) {
         const auto& corners = model.solids.nodes[block.solids[cell]];
         static constexpr int around[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                              {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
         for (const auto& face : around) {
-            auto& known =
-                faces[sorted({corners[face[0]], corners[face[1]], corners[face[2]], corners[face[3]]})];
+            auto& known = faces[in_rising_order(
+                {corners[face[0]], corners[face[1]], corners[face[2]], corners[face[3]]})];
             known.first = cell;
             ++known.second;
         }
     }
     std::map<Index, AbsorbingNode> by_node;
     for (const NonReflectingBoundary& boundary : model.non_reflecting_boundaries) {
-        for (const NodeNumbers& segment : boundary.segments) {
+        for (const FaceNodes& segment : boundary.segments) {
             if (!number.contains(segment[0]) || !boundary.dilatational) continue;
-            const auto found = faces.find(sorted(segment));
+            const auto found = faces.find(in_rising_order(segment));
             if (found == faces.end()) continue; // of a structure that hangs on the mesh
             if (found->second.second != 1)
                 throw DeckError(boundary.where,

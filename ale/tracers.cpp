@@ -52,7 +52,7 @@ Vec3 value_in_solid(const NodeNumbers& nodes, const std::vector<Vec3>& values,
 }
 
 /// Velocity of the fluid at a point; false where no node around has mass.
-bool velocity_at(const Fluid& fluid, const MeshPoint& point, Vec3& velocity)
+bool flow_at(const Fluid& fluid, const MeshPoint& point, Vec3& velocity)
 {
     const PlaceWeights nodes = fluid.node_weights(point);
     double sum = 0;
@@ -134,7 +134,7 @@ bool Tracers::locate(Tracer& tracer, const Vec3& point, MeshPoint& found) const
 bool Tracers::follow_fluid(Tracer& tracer, const Vec3& point) const
 {
     MeshPoint at;
-    return locate(tracer, point, at) && velocity_at(fluids_[tracer.fluid]->fluid(), at, tracer.velocity);
+    return locate(tracer, point, at) && flow_at(fluids_[tracer.fluid]->fluid(), at, tracer.velocity);
 }
 
 void Tracers::begin(Tracer& tracer, const State& state)
@@ -176,7 +176,7 @@ ElementResults::Tracer Tracers::state_in_fluid(const Tracer& tracer, const MeshP
     const EulerianFluid& term = *fluids_[tracer.fluid];
     const FluidFields& fields = term.fluid().fields;
     ElementResults::Tracer result;
-    velocity_at(term.fluid(), at, result.velocity);
+    flow_at(term.fluid(), at, result.velocity);
     std::vector<int> shown; // numbers among the fluids
     for (std::size_t g = 0; g < term.groups().groups.size(); ++g) {
         const int fluid = term.groups().groups[g].fluid;
