@@ -127,4 +127,5 @@ if __name__ == "__main__":
             expected = theory(round(half_box / step) * step, step, end=1.0)[1] * draught * half_box
             found = [[added_mass(Water(cells, half_box, (int((depth - draught) / size) + height) * size), within) / expected
                       for height in heights] for within in (False, True)]
-            print(f"  side at {part:.1f}: {' '.join(f'{x:.3f}' for x in found[0])};  {' '.join(f'{x:.3f}' for x in found[1])}", flush=True)
+            as_it_is, within = (" ".join(f"{ratio:.3f}" for ratio in ratios) for ratios in found)
+            print(f"  side at {part:.1f}: {as_it_is};  {within}", flush=True)
