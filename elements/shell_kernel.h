@@ -107,12 +107,11 @@ inline void keep_strain(const ShellSettings& settings, int point, const Symmetri
 /// resultants. Returns the internal work per area of the step (trapezoidal rule).
 /// values    of the column's points, bottom to top (shell_record::Point, then the law's history)
 /// thinning  receives the strain of the thickness
-/// strains   strains_of the elements' record
-template <class Lane, class Law>
-inline Lane update_points(const ShellSettings& settings, const Law& law,
-                          const ShellIncrement<Lane>& increment, double time_step, Lane thickness_now,
-                          Lane* values, ShellResultants<Lane>& resultants, Lane& thinning,
-                          Lane* strains = nullptr)
+/// strains   strains_of the elements' record, if `keeps_strains`
+template <bool keeps_strains, class Lane, class Law>
+inline Lane step_points(const ShellSettings& settings, const Law& law, const ShellIncrement<Lane>& increment,
+                        double time_step, Lane thickness_now, Lane* values, ShellResultants<Lane>& resultants,
+                        Lane& thinning, [[maybe_unused]] Lane* strains)
 {
     using namespace shell_record;
     constexpr int point_size = history + static_cast<int>(Law::history_size);
@@ -150,8 +149,7 @@ inline Lane update_points(const ShellSettings& settings, const Law& law,
         values[stress_yz] = stress.yz;
         values[stress_zx] = stress.zx;
 
-        if (strains) [[unlikely]]
-            keep_strain(settings, point, strain, strains);
+        if constexpr (keeps_strains) keep_strain(settings, point, strain, strains);
         const Lane wxx = weight * stress.xx, wyy = weight * stress.yy, wxy = weight * stress.xy;
         resultants.nxx += wxx;
         resultants.nyy += wyy;
@@ -176,6 +174,42 @@ inline Lane update_points(const ShellSettings& settings, const Law& law,
     resultants.qx *= shear;
     resultants.qy *= shear;
     return half_thickness * (work + (2 * settings.shear_factor) * shear_work);
+}
+
+/// step_points with strains, which few runs ask for: apart from the common way, so that this stays as short
+/// as it can be.
+template <class Lane, class Law>
+[[gnu::noinline]] inline Lane
+step_points_with_strains(const ShellSettings& settings, const Law& law, const ShellIncrement<Lane>& increment,
+                         double time_step, const Lane& thickness_now, Lane* values,
+                         ShellResultants<Lane>& resultants, Lane& thinning, Lane* strains)
+{
+    return step_points<true>(settings, law, increment, time_step, thickness_now, values, resultants, thinning,
+                             strains);
+}
+
+/// One step of the points of a column; see step_points.
+/// strains  null where nobody wants them
+template <class Lane, class Law>
+inline Lane update_points(const ShellSettings& settings, const Law& law,
+                          const ShellIncrement<Lane>& increment, double time_step, Lane thickness_now,
+                          Lane* values, ShellResultants<Lane>& resultants, Lane& thinning,
+                          Lane* strains = nullptr)
+{
+    if (strains) [[unlikely]] {
+        // Copies: what the compiler sees the address of would not stay in registers on the common way either.
+        const ShellIncrement<Lane> own = increment;
+        const Lane thickness = thickness_now;
+        ShellResultants<Lane> sum;
+        Lane thinner;
+        const Lane work =
+            step_points_with_strains(settings, law, own, time_step, thickness, values, sum, thinner, strains);
+        resultants = sum;
+        thinning = thinner;
+        return work;
+    }
+    return step_points<false>(settings, law, increment, time_step, thickness_now, values, resultants,
+                              thinning, strains);
 }
 
 /// Membrane force of the bulk viscosity that *CONTROL_BULK_VISCOSITY TYPE -1 and -2 give to shells: the

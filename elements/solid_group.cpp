@@ -228,7 +228,13 @@ void SolidGroup::take_initial_strains()
     });
 }
 
-void SolidGroup::add_strains(Index batch, const NodeCopies& nodes, double time_step)
+void SolidGroup::add_strains(const Patches::Patch& patch, const NodeCopies& nodes, double time_step)
+{
+    for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch)
+        add_strain_of(batch, nodes, time_step);
+}
+
+void SolidGroup::add_strain_of(Index batch, const NodeCopies& nodes, double time_step)
 {
     Lanes* strain = &strain_[6 * static_cast<std::size_t>(batch)];
     if (setup_.ten_nodes) {

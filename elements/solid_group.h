@@ -135,10 +135,9 @@ protected:
                           [&](std::ptrdiff_t number, const Patches::Patch& patch, NodeCopies& nodes) {
                               PatchSum sum;
                               const Index end = patch.first_batch + patch.batch_count;
-                              for (Index batch = patch.first_batch; batch < end; ++batch) {
+                              for (Index batch = patch.first_batch; batch < end; ++batch)
                                   work(patch, batch, nodes, sum);
-                                  if (!strain_.empty()) add_strains(batch, nodes, clock.last_step);
-                              }
+                              if (!strain_.empty()) add_strains(patch, nodes, clock.last_step);
                               sums_[number] = std::move(sum);
                           });
         close_cycle(state);
@@ -245,7 +244,8 @@ private:
     const Patches::Patch& patch_of(std::size_t place) const;
     void put_initial_stress(std::size_t place, const InitialStress&, const StressPlaces&);
     void take_initial_strains();
-    void add_strains(Index batch, const NodeCopies&, double time_step);
+    void add_strains(const Patches::Patch&, const NodeCopies&, double time_step);
+    void add_strain_of(Index batch, const NodeCopies&, double time_step);
     double shown_value(std::size_t place, int number) const;
     void collect_point_results(std::size_t place, Index row, ElementResults&) const;
     void hold_back_loose_elements(const State&);

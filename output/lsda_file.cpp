@@ -50,6 +50,11 @@ LsdaFile::LsdaFile(const ResultPath& path) : file_(path)
 void LsdaFile::put_record(std::string_view name, std::uint8_t type, const void* values, std::uint64_t count,
                           std::size_t width)
 {
+    if (folder_ != folder_of_records_) { // for readers that walk the records and leave the tables alone
+        append_head(records_, change_folder, folder_.size());
+        records_ += folder_;
+        folder_of_records_ = folder_;
+    }
     entries_.push_back({folder_, std::string(name), type, records_.size(), count});
     append_head(records_, data, 2 + name.size() + count * width);
     append_number(records_, type, 1);
@@ -103,6 +108,7 @@ void LsdaFile::commit()
     length_ = next_link + 8;
     records_.clear();
     entries_.clear();
+    folder_of_records_.clear();
 }
 
 void LsdaFile::serialise(Archive& archive)

@@ -37,7 +37,8 @@ private:
     };
     ResultFile file_;
     std::string folder_;
-    std::string records_; ///< arrays that wait to be written
+    std::string records_;           ///< arrays that wait to be written
+    std::string folder_of_records_; ///< that the last of them stands in
     std::vector<Entry> entries_;
     std::uint64_t length_ = 0; ///< of the file so far [byte]
     std::uint64_t link_ = 0;   ///< where the place of the next table goes [byte]

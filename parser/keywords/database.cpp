@@ -85,7 +85,8 @@ void read_runrsf(const Record& record, const Block&, Reading& reading)
 void read_extent(const Record& record, const Block&, Reading& reading)
 {
     // What output/d3plot_layout.cpp takes into account; other fields stay unread and are reported.
-    for (const char* field : {"MAXINT", "SIGFLG", "EPSFLG", "RLTFLG", "ENGFLG", "IEVERP", "BEAMIP"})
+    for (const char* field :
+         {"NEIPH", "NEIPS", "MAXINT", "STRFLG", "SIGFLG", "EPSFLG", "RLTFLG", "ENGFLG", "IEVERP", "BEAMIP"})
         reading.model.controls.output.extent[field] = record.real(field);
 }
 

@@ -73,11 +73,14 @@ TEST(Blocks, BlocksOfOneKeywordAddUpAndTheLastControlWins)
 TEST(Blocks, OptionalCardsMayBeMissingOrThere)
 {
     const ReadResult result =
-        read_text("*DATABASE_EXTENT_BINARY\n1,2\n*DATABASE_EXTENT_BINARY\n1,2,4\n0,1,0,3\n8\n");
+        read_text("*DATABASE_EXTENT_BINARY\n1,2\n*DATABASE_EXTENT_BINARY\n1,2,4,11\n0,1,0,3\n8\n");
     EXPECT_EQ(errors_of(result), "");
     const auto& extent = result.model.controls.output.extent;
     EXPECT_EQ(extent.at("MAXINT"), 4);
     EXPECT_EQ(extent.at("IEVERP"), 1);
+    EXPECT_EQ(extent.at("NEIPH"), 1);
+    EXPECT_EQ(extent.at("NEIPS"), 2);
+    EXPECT_TRUE(result.model.controls.output.strains());
     const auto& ignored = result.report.ignored; // nobody reads the other fields
     const auto is_ignored = [&](const char* field, const char* value) {
         return std::any_of(ignored.begin(), ignored.end(),

@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <hdf5.h>
@@ -81,6 +83,28 @@ void record(std::vector<std::unique_ptr<Recorder>>& recorders, testing::Snapshot
     }
 }
 
+/// Paths of the arrays as a reader finds them that walks the records from the first to the last and looks at
+/// changes of the folder and data alone, not at tables (dynareadout is one).
+std::vector<std::string> arrays_by_walking(const std::string& bytes)
+{
+    std::vector<std::string> found;
+    std::string folder;
+    for (std::size_t place = 8; place + 9 <= bytes.size();) {
+        std::uint64_t length = 0;
+        std::memcpy(&length, &bytes[place], 8);
+        const int command = bytes[place + 8];
+        const std::string content = bytes.substr(place + 9, length - 9);
+        if (command == 2) folder = content;
+        if (command == 3) {
+            EXPECT_FALSE(folder.empty()) << "an array in no folder";
+            found.push_back(folder + "/" + content.substr(2, static_cast<unsigned char>(content[1])));
+        }
+        place += length;
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
 } // namespace
 
 TEST(Lsda, HoldsWhatWasPutAndGrowsByWholeStates)
@@ -104,6 +128,12 @@ TEST(Lsda, HoldsWhatWasPutAndGrowsByWholeStates)
     EXPECT_EQ(arrays["/a/metadata/title"].bytes, "bolt");
     EXPECT_EQ(arrays["/a/d000001/x"].reals(), values);
     EXPECT_EQ(arrays["/b/c/d000001/cycle"].wholes(), std::vector<long>{7});
+    file.folder("/a/d000002");
+    file.put("x", values);
+    file.commit();
+    EXPECT_EQ(arrays_by_walking(bytes_of(path)),
+              (std::vector<std::string>{"/a/d000001/x", "/a/d000002/x", "/a/metadata/title",
+                                        "/b/c/d000001/cycle"}));
 }
 
 TEST(Binout, HasTheStatesOfTheAsciiFilesAndTheHdf5HistoryToo)
