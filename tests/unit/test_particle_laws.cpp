@@ -36,8 +36,8 @@ struct OneParticle {
         arrays.push.resize(1);
         arrays.node = {0};
         arrays.part = {0};
-        arrays.density = {law.density};
-        arrays.energy = arrays.pressure = arrays.rate = {0};
+        arrays.set_density(0, law.density);
+        arrays.energy = arrays.kept_pressure = arrays.rate = {0};
         arrays.tension.resize(1);
         arrays.gradient.resize(1);
         arrays.correction = {{1, 1, 1, 0, 0, 0}};
@@ -140,10 +140,10 @@ TEST(ParticleLaws, ElasticFluidHasItsLogarithm)
     for (int i = 0; i < 100; ++i) {
         particle.arrays.rate[0] = i < 50 ? 1e-3 : -2e-3;
         particle.advance(1);
-        const double pressure = 2 * std::log(particle.arrays.density[0]);
-        EXPECT_NEAR(particle.arrays.pressure[0], std::max(pressure, -0.03), 1e-7);
+        const double pressure = 2 * std::log(particle.arrays.density(0));
+        EXPECT_NEAR(particle.arrays.pressure(0), std::max(pressure, -0.03), 1e-7);
     }
-    EXPECT_LT(particle.arrays.density[0], 0.96) << "the cut-off must have been met";
+    EXPECT_LT(particle.arrays.density(0), 0.96) << "the cut-off must have been met";
 }
 
 /// s = VC L a rho e' is twice the viscosity times e'; L comes with the particles.
