@@ -11,7 +11,7 @@ namespace {
 
 using testing::EulerianRun;
 
-constexpr double density = 1000, sound = 1500, impedance = density * sound;
+constexpr double water = 1000, sound = 1500, impedance = water * sound;
 
 /// A rigid plate of one shell across a tube along x, which moves along x alone, and its coupling.
 std::string plate(int part, double x, double side, double mass_by_area, bool fluid_ahead,
@@ -84,7 +84,7 @@ Hit hit(double mass_by_area, double cell, const std::string& direction)
     const int cells = static_cast<int>(std::round(0.8 / cell));
     const std::string coupling = direction + fmt::format("\n0,0,{},0,0.3", penalty);
     EulerianRun run(testing::structured_mesh({0, 0, 0}, {0.8, side, side}, {cells, 2, 2}) +
-                    testing::liquid_and_void(density, sound) +
+                    testing::liquid_and_void(water, sound) +
                     testing::liquid_in_box({0.1, 0, 0}, {0.1 + length, side, side}) +
                     plate(20, 0.1, side, 100, true, coupling) +
                     plate(21, 0.1 + length, side, mass_by_area, false, coupling) +
@@ -96,7 +96,7 @@ Hit hit(double mass_by_area, double cell, const std::string& direction)
     std::vector<const FluidCoupling*> couplings;
     for (const auto& term : run.scene().terms)
         if (const auto* found = dynamic_cast<const FluidCoupling*>(term.get())) couplings.push_back(found);
-    const double spring = penalty * density * sound * sound / cell, lag = impedance / spring;
+    const double spring = penalty * water * sound * sound / cell, lag = impedance / spring;
     HitPlate exact(mass_by_area, speed, spring);
     Hit result;
     double impulse = 0, wanted = 0, found = 0;
@@ -127,7 +127,7 @@ TEST(AlePlates, AreHitByAWaveAsTaylorSays)
     constexpr double cell = 0.0075;
     for (const char* direction : {"2,4,1,1", "2,4,2,1"}) {
         for (const double cells : {10., 20., 40.}) {
-            const Hit plate = hit(cells * density * cell, cell, direction);
+            const Hit plate = hit(cells * water * cell, cell, direction);
             EXPECT_LT(plate.largest_error, 0.85 / cells) << cells << ' ' << direction;
             EXPECT_NEAR(plate.last_speed, 1, 0.005) << cells << ' ' << direction;
             EXPECT_NEAR(plate.piston_work, 1, 0.005) << cells << ' ' << direction;
