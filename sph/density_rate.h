@@ -50,6 +50,7 @@ public:
           moment_(moment)
     {}
 
+    void expect(Index place) const { __builtin_prefetch(&records_[place]); }
     void open(Index particle)
     {
         own_ = Moving<Lane>::same(run_[particle]);

@@ -97,6 +97,12 @@ public:
           tally_(sums)
     {}
 
+    void expect(Index place) const
+    {
+        __builtin_prefetch(&records_.motion[place]);
+        __builtin_prefetch(&records_.push[place]);
+        if constexpr (tensor) __builtin_prefetch(&records_.tension[place]);
+    }
     void open(Index particle)
     {
         own_ = Moving<Lane>::same(run_.motion[particle]);

@@ -25,6 +25,7 @@ public:
         : records_(records), run_(records + first), steepness_(dimension), half_step_(half_step), sums_(sums)
     {}
 
+    void expect(Index place) const { __builtin_prefetch(&records_[place]); }
     void open(Index particle)
     {
         own_ = Moving<Lane>::same(run_[particle]);
