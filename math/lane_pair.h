@@ -1,7 +1,9 @@
 #pragma once
 
 #include "math/lane_lines.h"
-#include "math/vector3.h"
+
+#include <cstddef>
+#include <type_traits>
 
 /// Two batches at once. Where one batch is a long chain of operations that wait for each other, the processor
 /// has nothing to do meanwhile; a loop that takes two batches side by side gives it the other chain. The
@@ -84,22 +86,26 @@ inline Lanes in_one_batch(LanePair a)
     return a.first + a.second;
 }
 
-template <class Place, std::size_t count>
-inline void load_lines(const double* records, const Place* place, LanePair (&value)[count])
+/// load(first value of the batch, batch) for both batches.
+template <std::size_t count, class Load>
+inline void load_both(LanePair (&value)[count], Load&& load)
 {
     Lanes first[count], second[count];
-    load_lines(records, place, first);
-    load_lines(records, place + lane_count, second);
+    load(0, first);
+    load(lane_count, second);
     for (std::size_t k = 0; k < count; ++k) value[k] = {first[k], second[k]};
 }
 
-template <class Place, std::size_t count>
-inline void load_half_lines(const double* records, const Place* place, LanePair (&value)[count])
+template <class Place>
+inline void load_lines(const double* records, const Place* place, LanePair (&value)[8])
 {
-    Lanes first[count], second[count];
-    load_half_lines(records, place, first);
-    load_half_lines(records, place + lane_count, second);
-    for (std::size_t k = 0; k < count; ++k) value[k] = {first[k], second[k]};
+    load_both(value, [&](int from, Lanes(&batch)[8]) { load_lines(records, place + from, batch); });
+}
+
+template <class Place>
+inline void load_half_lines(const double* records, const Place* place, LanePair (&value)[4])
+{
+    load_both(value, [&](int from, Lanes(&batch)[4]) { load_half_lines(records, place + from, batch); });
 }
 
 template <class Place>

@@ -407,6 +407,9 @@ void ParticleBody::take_forces(const NeighbourRun& run, const ForceSums* sums, d
     ParticleArrays& a = arrays_;
     for (Index i = 0; i < run.length(); ++i) {
         const Index p = run.begin + i;
+        if (p + static_cast<Index>(prefetch_distance) < run.end) {
+            __builtin_prefetch(&state.force[a.node[p + prefetch_distance]], 1);
+        }
         const double heat = sums[i].heat;
         a.viscous_force[p] = narrow(wide(a.viscous_force[p]) + sums[i].viscous_force);
         a.heat[p] += static_cast<float>(heat);
