@@ -97,6 +97,13 @@ struct ParticleArrays {
             kept_pressure[place] = value;
         }
     }
+    /// Another density under the pressure that there is.
+    void change_density(std::size_t place, double value)
+    {
+        const double before = pressure(place);
+        set_density(place, value);
+        set_pressure(place, before);
+    }
     Index size() const { return static_cast<Index>(motion.size()); }     ///< with the images
     Index real_count() const { return static_cast<Index>(node.size()); } ///< without them
 

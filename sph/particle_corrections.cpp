@@ -47,7 +47,7 @@ void ParticleBody::filter_densities()
         filtered_densities(options_.kernel, options_.dimension, options_.volume_weighted, runs_, a);
     for_chunks(density.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-            if (!parts_[a.part[p]].law->has_strength()) a.set_density(p, density[p]);
+            if (!parts_[a.part[p]].law->has_strength()) a.change_density(p, density[p]);
         }
     });
 }
@@ -189,7 +189,7 @@ double ParticleBody::calm_particle(const CalmZone& zone, Index place, double ste
     position = home + kept * (position - home);
     const ParticlePart& part = parts_[a.part[place]];
     const double at_rest = part.density_at_rest(model_.nodes.position[node]);
-    a.set_density(place, at_rest + kept * (a.density(place) - at_rest));
+    a.change_density(place, at_rest + kept * (a.density(place) - at_rest));
     const double energy = part.law->initial_energy();
     const double heat = (1 - kept) * (a.energy[place] - energy) * mass / part.constants.density;
     a.energy[place] = energy + kept * (a.energy[place] - energy);

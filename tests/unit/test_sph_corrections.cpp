@@ -94,6 +94,21 @@ void for_pairs(const TwoPartBlock& block, Index i, Work&& work)
 
 } // namespace
 
+/// What re-initialises densities and what calms the wake leave pressures to the law of the next step.
+TEST(SphArrays, AnotherDensityLeavesThePressureAlone)
+{
+    for (const bool volumes : {false, true}) {
+        ParticleArrays arrays;
+        arrays.push.resize(1);
+        if (volumes) arrays.own_mass = {1.5};
+        arrays.set_density(0, 2);
+        arrays.set_pressure(0, 3);
+        arrays.change_density(0, 2.5);
+        EXPECT_DOUBLE_EQ(arrays.density(0), 2.5);
+        EXPECT_DOUBLE_EQ(arrays.pressure(0), 3);
+    }
+}
+
 class SphCorrections : public ::testing::TestWithParam<std::pair<int, bool>> {};
 
 TEST_P(SphCorrections, DriftsAreTheirSums)
