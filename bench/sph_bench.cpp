@@ -139,7 +139,7 @@ int main(int argc, char** argv)
     }
     double lists = 0;
     for (const NeighbourRun& run : world.body->runs()) {
-        lists += static_cast<double>(run.batches.size() * 4 + run.inside.size() * 2 + run.outside.size() * 2 +
+        lists += static_cast<double>(run.counts.size() * 4 + run.inside.size() * 2 + run.outside.size() * 2 +
                                      run.halo.size() * 4);
     }
     std::printf("neighbour lists: %.0f bytes a particle, %.3f images a particle\n",

@@ -117,6 +117,7 @@ void sort_by_key(std::vector<std::uint64_t>& key, std::vector<Index>& value, int
 
 void ParticleCells::sort(std::span<const Vec3> position, double side, std::size_t real_count)
 {
+    side_ = side;
     const Bounds bounds = bounds_of(position);
     const double per_piece = (1 << piece_bits) / side;
     const auto keys_of = [&](std::size_t first, std::size_t last) {

@@ -27,6 +27,7 @@ public:
     /// Sorted place -> given particle or copy. Copies stand behind all particles.
     const std::vector<Index>& order() const { return order_; }
     void release_order() { release(order_); } ///< when all are in their places
+    double side() const { return side_; }     ///< of a cell [length]
     Index cell_count() const { return static_cast<Index>(key_.size()); }
     Index begin(Index cell) const { return first_[cell]; } ///< sorted places begin(cell) .. end(cell) - 1
     Index end(Index cell) const { return first_[cell + 1]; }
@@ -39,6 +40,7 @@ public:
     int around(Index cell, std::array<Index, 27>& found) const;
 
 private:
+    double side_ = 0;
     std::vector<Index> order_;
     std::vector<std::uint64_t> key_; ///< by cell, rising
     std::vector<Index> first_, first_copy_;

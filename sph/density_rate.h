@@ -13,7 +13,8 @@ struct DensityDiffusion {
     Vec3 gravity{};      ///< acceleration that the fluid at rest is stratified by [length/time^2]
     const PushRecord* push = nullptr;    ///< by sorted place
     const std::uint8_t* part = nullptr;  ///< by sorted place; density does not diffuse across parts,
-    const std::uint8_t* image = nullptr; ///< nor from mirrors, which show water at rest upside down
+    const std::uint8_t* image = nullptr; ///< by image: nor from mirrors, which show water at rest upside down
+    Index first_image = 0;               ///< sorted place
     bool volume_weighted = false;
 };
 
@@ -171,7 +172,8 @@ private:
         Lane same{};
         for (int l = 0; l < lanes_in<Lane>; ++l) {
             const Index place = first + places[l];
-            const bool mirrored = diffusion_.image[place] == mirror_image;
+            const Index image = place - diffusion_.first_image;
+            const bool mirrored = image >= 0 && diffusion_.image[image] == mirror_image;
             set_lane(same, l, diffusion_.part[place] == part_ && !mirrored ? 1.0 : 0.0);
         }
         return same * (2 * diffusion_.strength) * smoothing * sound * slope *

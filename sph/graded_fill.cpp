@@ -64,15 +64,13 @@ public:
         for (std::size_t p = 0; p < count(); ++p) sorted[p] = motion[cells.order()[p]];
         motion = std::move(sorted);
         arrays_.part.assign(motion.size(), 0);
-        arrays_.image.assign(motion.size(), no_image);
         images_.settle(cells.order(), arrays_);
         images_.refresh_motion(arrays_);
-        const std::vector<std::uint8_t> asleep(count(), 0);
         std::vector<float> reaches;
         for (const MotionRecord& record : motion) {
             reaches.push_back(static_cast<float>(0.5 * (support + margin) * record.smoothing));
         }
-        build_neighbours(cells, {motion, reaches, asleep, {}, {}}, runs_);
+        build_neighbours(cells, {motion, reaches, count(), {}, {}, {}}, runs_);
     }
 
     /// pair(a, b) for every particle a and every neighbour b of it.

@@ -148,6 +148,21 @@ bool Images::wrap(Vec3& position) const
     return moved;
 }
 
+/// Which of some positions are closer than `range` to the plane of a step, or beyond it.
+std::vector<Index> Images::places_near(const Step& step, double range, std::span<const Vec3> position)
+{
+    std::vector<std::vector<Index>> found((position.size() + chunk_length - 1) / chunk_length);
+    for_chunks(position.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (dot(position[i] - step.point, step.normal) >= range) continue;
+            found[begin / chunk_length].push_back(static_cast<Index>(i));
+        }
+    });
+    std::vector<Index> all;
+    for (const std::vector<Index>& some : found) all.insert(all.end(), some.begin(), some.end());
+    return all;
+}
+
 void Images::find(double range, std::vector<Vec3>& position)
 {
     images_.clear();
@@ -155,10 +170,13 @@ void Images::find(double range, std::vector<Vec3>& position)
     for (const auto& boundary : steps_) {
         const std::size_t known = position.size(); // images of earlier boundaries are copied too: corners
         for (const Step& step : boundary) {
-            for (std::size_t i = 0; i < known; ++i) {
-                if (dot(position[i] - step.point, step.normal) >= range) continue;
-                const Image from = i < real_count ? Image{static_cast<Index>(i), 0} : images_[i - real_count];
-                images_.push_back({from.source, transform_after(from.transform, step)});
+            std::vector<Index> both(transforms_.size(), none); // by transform: that followed by the step
+            for (Index i : places_near(step, range, {position.data(), known})) {
+                const bool real = static_cast<std::size_t>(i) < real_count;
+                const Image from = real ? Image{i, 0} : images_[i - real_count];
+                Index& transform = both[from.transform];
+                if (transform == none) transform = transform_after(from.transform, step);
+                images_.push_back({from.source, transform});
                 position.push_back(step.turn * position[i] + step.shift);
             }
         }
@@ -167,10 +185,14 @@ void Images::find(double range, std::vector<Vec3>& position)
 
 void Images::settle(std::span<const Index> order, ParticleArrays& arrays)
 {
+    arrays.image.resize(images_.size());
     if (images_.empty()) return;
     const std::size_t real_count = order.size() - images_.size();
     std::vector<Index> place(real_count);
     for (std::size_t p = 0; p < real_count; ++p) place[order[p]] = static_cast<Index>(p);
+    std::vector<ImageKind> kind;
+    for (const Transform& transform : transforms_)
+        kind.push_back(same(transform.turn, Matrix3::identity()) ? periodic_image : mirror_image);
     std::vector<Image> sorted;
     sorted.reserve(images_.size());
     for (std::size_t p = real_count; p < order.size(); ++p) {
@@ -178,8 +200,7 @@ void Images::settle(std::span<const Index> order, ParticleArrays& arrays)
         sorted.push_back({place[image.source], image.transform});
         arrays.part[p] = arrays.part[sorted.back().source];
         if (!arrays.bonded.empty()) arrays.bonded[p] = arrays.bonded[sorted.back().source];
-        const bool shifted = same(transforms_[image.transform].turn, Matrix3::identity());
-        arrays.image[p] = shifted ? periodic_image : mirror_image;
+        arrays.image[p - real_count] = kind[image.transform];
     }
     images_ = std::move(sorted);
 }

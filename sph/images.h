@@ -113,6 +113,7 @@ private:
 
     Vec3 lower_now(std::size_t pair, const State& state, const std::vector<Vec3>& start) const;
     Index transform_after(Index first, const Step& step);
+    static std::vector<Index> places_near(const Step& step, double range, std::span<const Vec3> position);
     void carry_on(const Transform& transform, Index source, Index place, ParticleArrays& arrays) const;
     void absorb(const Transform& transform, Index source, Index place, ParticleArrays& arrays) const;
 };

@@ -14,7 +14,7 @@
 namespace plash {
 
 /// Which copy of a particle stands at a place. A corner of a mirror and a periodic plane counts as mirrored.
-enum ImageKind : std::uint8_t { no_image = 0, mirror_image = 1, periodic_image = 2 };
+enum ImageKind : std::uint8_t { mirror_image, periodic_image };
 
 /// What the force loop needs besides: half a cache line. "Scaled" is by 1 / density^2 where weights are
 /// masses, and by 1 where they are volumes.
@@ -152,19 +152,21 @@ void walk_pairs(const NeighbourRun& run, Pass& pass)
     const Index* halo = run.halo.data();
     LookAhead<Pass> ahead(run, pass);
     for (Index particle = 0; particle < run.length(); ++particle) {
-        const NeighbourRun::Batches batches = run.batches[particle];
+        const NeighbourRun::Counts counts = run.counts[particle];
         ahead.open(particle);
         pass.open(particle);
-        const auto* end = inside + batches.inside * lane_count;
+        const auto* end = inside + counts.inside;
         if constexpr (two) {
             for (; inside < end; inside += pair_count) pass.template inside<LanePair>(inside);
         } else {
             for (; inside < end; inside += width) pass.inside(inside);
         }
-        for (end = outside + batches.outside * lane_count; outside < end; outside += width) {
+        for (int left = counts.outside; left > 0; left -= width) {
             Index places[width];
             for (int l = 0; l < width; ++l) places[l] = halo[outside[l]];
+            for (int l = 0; l < width; ++l) places[l] = l < left ? places[l] : run.begin + particle;
             pass.outside(places);
+            outside += std::min(left, width);
         }
         pass.close(particle);
     }

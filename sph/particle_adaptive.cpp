@@ -116,12 +116,12 @@ void ParticleBody::take_over(Index place, const SolidHosts::Host& host, const Lo
 /// Laws in a cycle with newcomers: these have got what their solids had at the end of the step already.
 void ParticleBody::apply_laws_beside(const std::vector<Index>& newcomers, double step)
 {
-    std::vector<std::vector<Index>> old(parts_.size()), fresh(parts_.size());
+    std::vector<PlaceList> old(parts_.size()), fresh(parts_.size());
     for (std::size_t number = 0; number < parts_.size(); ++number) {
-        for (Index place : places_[number]) {
+        places_[number].for_each([&](Index place) {
             const bool is_new = std::binary_search(newcomers.begin(), newcomers.end(), arrays_.node[place]);
-            (is_new ? fresh : old)[number].push_back(place);
-        }
+            (is_new ? fresh : old)[number].add(place);
+        });
     }
     apply_laws(step, old);
     const ParticleVote vote = vote_;

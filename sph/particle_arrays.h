@@ -29,15 +29,14 @@ struct ParticleArrays {
     std::vector<MotionRecord> motion;
     std::vector<PushRecord> push;
     std::vector<std::uint8_t> part;     ///< part of the body, not of the Model
-    std::vector<std::uint8_t> image;    ///< an ImageKind; 0: none
+    std::vector<std::uint8_t> image;    ///< of images alone: an ImageKind
     std::vector<double> laminar;        ///< viscosity along differences of velocity, scaled; empty without
     std::vector<std::uint8_t> bonded;   ///< 1: waits in a solid, as a neighbour of others; empty without
     std::vector<float> reach;           ///< of the lists: half of kernel radius and skin [length]
     std::vector<TensionRecord> tension; ///< only of bodies whose push is a tensor
 
-    std::vector<Index> particle;       ///< number in the order of creation
     std::vector<Index> node;           ///< index in the State
-    std::vector<std::uint8_t> asleep;  ///< 1: outside of the active regions
+    std::vector<std::uint8_t> asleep;  ///< 1: outside of the active regions; empty: nobody can be
     std::vector<double> own_mass;      ///< where weights are volumes, see mass() [mass]
     std::vector<double> rate;          ///< of density, or of its logarithm where weights are volumes [1/time]
     std::vector<double> diffusion;     ///< rate of density by diffusion; empty without [mass/volume/time]
@@ -113,10 +112,10 @@ struct ParticleArrays {
 
     void serialise(Archive& archive)
     {
-        archive(motion, push, particle, node, part, image, bonded, asleep, own_mass, rate, diffusion,
-                kept_pressure, energy, viscous_force, heat, laminar, rest_pressure, rest_velocity,
-                first_radius, moment, bulk, drift, tension, gradient, correction, stress, history, reach,
-                build_origin, build_rounding, build_position);
+        archive(motion, push, node, part, image, bonded, asleep, own_mass, rate, diffusion, kept_pressure,
+                energy, viscous_force, heat, laminar, rest_pressure, rest_velocity, first_radius, moment,
+                bulk, drift, tension, gradient, correction, stress, history, reach, build_origin,
+                build_rounding, build_position);
     }
 };
 

@@ -100,7 +100,6 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
 void ParticleBody::create(const State& state)
 {
     ParticleArrays& a = arrays_;
-    a.particle.reserve(real_count_);
     a.motion.reserve(real_count_);
     a.node.reserve(real_count_);
     a.part.reserve(real_count_);
@@ -135,7 +134,6 @@ void ParticleBody::append(std::size_t number, Index node, double mass, const Sta
     ParticleArrays& a = arrays_;
     const ParticlePart& part = parts_[number];
     const double density = part.density_at_rest(model_.nodes.position[node]);
-    a.particle.push_back(static_cast<Index>(a.node.size()));
     a.motion.push_back({state.position[node], part.constants.smoothing * part.constants.size_of(mass),
                         state.velocity[node], options_.volume_weighted ? mass / density : mass});
     a.node.push_back(node);
@@ -173,9 +171,8 @@ void ParticleBody::fill_up()
         a.rest_velocity.resize(count);
     }
     if (!absorbed_force_.empty()) absorbed_force_.resize(count);
-    a.image.resize(count);
     a.part.resize(count);
-    a.asleep.resize(count);
+    if (!options_.regions.empty() || inflows_.any()) a.asleep.resize(count);
     a.rate.resize(count);
     if (tensor_ || options_.axisymmetric || options_.bulk_viscosity) a.kept_pressure.resize(count);
     a.viscous_force.resize(count);
@@ -308,7 +305,7 @@ void ParticleBody::read_motion(const Clock& clock, const State& state)
 void ParticleBody::search(State& state)
 {
     ParticleArrays& a = arrays_;
-    std::vector<Index> number = dismiss_leaving(state);
+    std::vector<Index> staying = dismiss_leaving(state);
     release(runs_);                                 // makes room for what sorting needs
     if (a.node.empty()) return put_to_sleep(state); // all still wait in solids
     images_.follow(state, model_.nodes.position);
@@ -316,40 +313,34 @@ void ParticleBody::search(State& state)
     for (const PeriodicPair& pair : images_.periods()) {
         followed_.push_back(pair.node == none ? Vec3{} : state.position[pair.node]);
     }
-    set_reaches();
-    double range = 0;
-    for (Index p = 0; p < a.real_count(); ++p) {
-        range = std::max(range, 2.0 * a.reach[p]);
-    }
-    std::vector<Index> place_of(real_count_);
+    const double range = set_reaches();
     std::vector<Vec3> position(real_count_);
-    for_chunks(a.real_count(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t p = begin; p < end; ++p) {
-            if (number[a.particle[p]] == none) continue;
+    for_chunks(real_count_, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::size_t p = staying.empty() ? i : staying[i];
             if (images_.wrap(a.motion[p].position)) state.position[a.node[p]] = a.motion[p].position;
-            place_of[number[a.particle[p]]] = static_cast<Index>(p);
-            position[number[a.particle[p]]] = a.motion[p].position;
+            position[i] = a.motion[p].position;
         }
     });
     if (images_.any()) images_.find(range, position);
     ParticleCells cells;
     cells.sort(position, range, real_count_);
     release(position);
-    release(number);
 
     const std::vector<Index>& order = cells.order();
     const std::size_t images = images_.size();
-    std::vector<Index> old_place(real_count_);
-    for (std::size_t p = 0; p < real_count_; ++p) old_place[p] = place_of[order[p]];
-    release(place_of);
     {
+        std::vector<Index> old_place(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(real_count_));
+        if (!staying.empty()) {
+            for (Index& place : old_place) place = staying[place];
+        }
         ArraySorter sort(std::move(old_place));
         sort(a.motion, images);
         sort(a.push, images);
         sort(a.node);
         sort(a.part, images);
         if (!a.bonded.empty()) sort(a.bonded, images);
-        sort(a.asleep);
+        if (!a.asleep.empty()) sort(a.asleep);
         if (!a.own_mass.empty()) sort(a.own_mass);
         if (!a.bulk.empty()) sort(a.bulk);
         if (!a.first_radius.empty()) {
@@ -375,8 +366,6 @@ void ParticleBody::search(State& state)
             sort(a.history, 0, a.history_size);
         }
     }
-    a.particle.assign(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(real_count_));
-    a.image.assign(order.size(), no_image);
     put_to_sleep(state);
     images_.settle(order, a);
     cells.release_order();
@@ -386,16 +375,17 @@ void ParticleBody::search(State& state)
 }
 
 /// Density, pressure, energy and smoothing length at n, and the shortest stable step.
-void ParticleBody::apply_laws(double step, const std::vector<std::vector<Index>>& all_places)
+void ParticleBody::apply_laws(double step, const std::vector<PlaceList>& all_places)
 {
     vote_ = {};
     for (std::size_t number = 0; number < parts_.size(); ++number) {
         const ParticlePart& part = parts_[number];
-        const std::span<const Index> places = all_places[number];
+        const PlaceList& places = all_places[number];
         std::vector<ParticleVote> votes((places.size() + chunk_length - 1) / chunk_length);
         for_chunks(places.size(), [&](std::size_t begin, std::size_t end) {
-            votes[begin / chunk_length] =
-                part.law->advance(part.constants, places.subspan(begin, end - begin), step, arrays_);
+            votes[begin / chunk_length] = places.in_chunk(begin, end, [&](std::span<const Index> some) {
+                return part.law->advance(part.constants, some, step, arrays_);
+            });
         });
         for (const ParticleVote& vote : votes) vote_.take(vote);
     }
@@ -495,11 +485,13 @@ void ParticleBody::report(EnergyLedger& ledger) const
 {
     for (std::size_t number = 0; number < parts_.size(); ++number) {
         const double density = parts_[number].constants.density;
-        const auto energy_of = [&](std::span<const Index> places) {
+        const auto energy_of = [&](const PlaceList& places) {
             return sum_chunks(places.size(), [&](std::size_t begin, std::size_t end) {
-                double sum = 0;
-                for (Index p : places.subspan(begin, end - begin)) sum += arrays_.energy[p] * arrays_.mass(p);
-                return sum;
+                return places.in_chunk(begin, end, [&](std::span<const Index> some) {
+                    double sum = 0;
+                    for (Index p : some) sum += arrays_.energy[p] * arrays_.mass(p);
+                    return sum;
+                });
             });
         };
         const double energy = energy_of(places_[number]) + energy_of(sleepers_[number]);

@@ -10,6 +10,7 @@
 #include "sph/neighbours.h"
 #include "sph/particle_arrays.h"
 #include "sph/particle_law.h"
+#include "sph/place_list.h"
 #include "sph/solid_hosts.h"
 #include "sph/velocity_gradient.h"
 
@@ -97,7 +98,7 @@ public:
         archive(wall_work_, wall_power_, absorbed_force_, absorbed_power_, inflows_, real_count_, hosts_,
                 handed_internal_, lost_kinetic_, bonded_places_, pressed_, pair_power_);
         archive(arrays_, images_, runs_, places_, sleepers_, searches_, departed_, followed_, damped_energy_,
-                regions_at_, skin_, least_skin_, cycles_since_search_, alive_);
+                regions_at_, skin_, least_skin_, mean_share_, cycles_since_search_, alive_);
     }
     void collect(const State& state, ElementResults& results) const override;
 
@@ -128,10 +129,10 @@ private:
     SolidHosts hosts_;
     std::vector<const Term*> solids_;
     std::vector<NeighbourRun> runs_;
-    std::vector<std::vector<Index>> places_;   ///< by part: sorted places of its particles that are awake
-    std::vector<std::vector<Index>> sleepers_; ///< and of those that are not
-    std::vector<Index> bonded_places_;         ///< of particles that wait in solids as neighbours of others
-    std::vector<Index> pressed_;               ///< those of them that have such a neighbour
+    std::vector<PlaceList> places_;    ///< by part: its particles that are awake
+    std::vector<PlaceList> sleepers_;  ///< and those that are not
+    std::vector<Index> bonded_places_; ///< of particles that wait in solids as neighbours of others
+    std::vector<Index> pressed_;       ///< those of them that have such a neighbour
     std::vector<double>
         handed_internal_; ///< by part of the Model: energy of solids that particles have [energy]
     std::vector<double> lost_kinetic_; ///< likewise: of motion, when they took its place [energy]
@@ -139,7 +140,8 @@ private:
     std::size_t real_count_ = 0;
     bool tensor_ = false;   ///< push is a tensor
     double least_skin_ = 0; ///< of any particle [length]
-    double skin_ = 0;       ///< mean, as a share of the largest kernel radius
+    double skin_ = 0;       ///< as a share of the largest kernel radius
+    double mean_share_ = 1; ///< of the skins of all particles, over skin_
     long cycles_since_search_ = 0;
     long searches_ = 0;
     std::vector<Departed> departed_;
@@ -180,9 +182,9 @@ private:
     void search(State& state);
     std::vector<Index> dismiss_leaving(State& state);
     void choose_skin();
-    void set_reaches();
+    double set_reaches();
     void list_neighbours(const ParticleCells& cells);
-    void apply_laws(double step, const std::vector<std::vector<Index>>& all_places);
+    void apply_laws(double step, const std::vector<PlaceList>& all_places);
     void add_pair_forces(const Clock& clock, State& state);
     Vec3 gravity(double time) const;
     DensityDiffusion density_diffusion(const Clock& clock);

@@ -34,8 +34,8 @@ DensityDiffusion ParticleBody::density_diffusion(const Clock& clock)
 {
     if (!(options_.density_diffusion > 0)) return {};
     arrays_.diffusion.resize(real_count_);
-    return {options_.density_diffusion, gravity(clock.time),  arrays_.push.data(),
-            arrays_.part.data(),        arrays_.image.data(), options_.volume_weighted};
+    return {options_.density_diffusion, gravity(clock.time),  arrays_.push.data(),     arrays_.part.data(),
+            arrays_.image.data(),       arrays_.real_count(), options_.volume_weighted};
 }
 
 /// Re-initialised densities; pressures follow with the next step.

@@ -30,16 +30,18 @@ bool ParticleBody::anyone_leaves() const
 }
 
 /// Takes leaving particles out of the motion: their nodes stand still without mass, their energies go to the
-/// eroded ones. Returns the new number of each particle by its old one, `none` where it has left.
+/// eroded ones. Returns the places of those that stay; empty: all do.
 std::vector<Index> ParticleBody::dismiss_leaving(State& state)
 {
     ParticleArrays& a = arrays_;
-    std::vector<Index> number(real_count_, 0);
+    std::vector<Index> staying;
     departed_.resize(parts_.size());
-    const bool somebody = anyone_leaves();
-    for (Index p = 0; somebody && p < a.real_count(); ++p) {
-        if (!leaves(p)) continue;
-        number[a.particle[p]] = none;
+    if (!anyone_leaves()) return staying;
+    for (Index p = 0; p < a.real_count(); ++p) {
+        if (!leaves(p)) {
+            staying.push_back(p);
+            continue;
+        }
         Departed& left = departed_[a.part[p]];
         ++left.count;
         left.mass += a.mass(p);
@@ -48,12 +50,8 @@ std::vector<Index> ParticleBody::dismiss_leaving(State& state)
         state.mass[a.node[p]] = 0;
         state.velocity[a.node[p]] = {};
     }
-    Index next = 0;
-    for (Index& n : number) {
-        if (n != none) n = next++;
-    }
-    real_count_ = static_cast<std::size_t>(next);
-    return number;
+    real_count_ = staying.size();
+    return staying;
 }
 
 } // namespace plash

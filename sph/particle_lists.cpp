@@ -16,6 +16,21 @@ namespace {
 /// what the slow ones need is little: a skin by speed makes shorter lists that hold longer.
 constexpr double least_share = 0.3, largest_share = 2;
 
+/// Largest value(place) of the particles, 0 at least.
+template <class Value>
+double largest_of(std::size_t count, Value&& value)
+{
+    std::vector<double> partial((count + chunk_length - 1) / chunk_length);
+    for_chunks(count, [&](std::size_t begin, std::size_t end) {
+        double largest = 0;
+        for (std::size_t p = begin; p < end; ++p) largest = std::max<double>(largest, value(p));
+        partial[begin / chunk_length] = largest;
+    });
+    double largest = 0;
+    for (double part : partial) largest = std::max(largest, part);
+    return largest;
+}
+
 /// Mean of value(place) over the particles, summed in chunks.
 template <class Value>
 Vec3 mean_of(std::size_t count, Value&& value)
@@ -34,22 +49,22 @@ Vec3 mean_of(std::size_t count, Value&& value)
 } // namespace
 
 /// The skin that makes a cycle cheapest, as a share of the largest kernel radius. A cycle costs in proportion
-/// to the pairs on the lists, (1 + s)^d, and to how often they are made: every s / u cycles where a cycle
-/// uses up the share u. The least sum is where d (1 + s)^(d - 1) s^2 = r u, r being the cost of a search over
-/// that of a cycle.
+/// to the pairs on the lists, (1 + m s)^d with the share m that particles have of it in the mean, and to how
+/// often they are made: every s / u cycles where a cycle uses up the share u. The least sum is where
+/// d m (1 + m s)^(d - 1) s^2 = r u, r being the cost of a search over that of a cycle.
 void ParticleBody::choose_skin()
 {
     if (options_.skin > 0) {
         skin_ = options_.skin;
         return;
     }
-    constexpr double first = 0.04, least = 0.02, largest = 0.25, search_cost = 1.5;
+    constexpr double first = 0.04, least = 0.02, largest = 0.25, search_cost = 0.9;
     if (cycles_since_search_ > 0) {
         const double used = skin_ / static_cast<double>(cycles_since_search_);
         double best = skin_;
         for (int i = 0; i < 4; ++i) {
-            best = std::sqrt(search_cost * used /
-                             (options_.dimension * std::pow(1 + best, options_.dimension - 1)));
+            const double growth = std::pow(1 + mean_share_ * best, options_.dimension - 1);
+            best = std::sqrt(search_cost * used / (options_.dimension * mean_share_ * growth));
         }
         // The speed of the flow changes: half of the way, by the logarithm.
         skin_ = std::clamp(std::sqrt(skin_ * best), least, largest);
@@ -60,27 +75,30 @@ void ParticleBody::choose_skin()
 }
 
 /// Gives every particle a reach with the skin that all of them use up in about the same time at their present
-/// speeds.
-void ParticleBody::set_reaches()
+/// speeds. Returns the largest sum of two reaches.
+double ParticleBody::set_reaches()
 {
     ParticleArrays& a = arrays_;
     const Vec3 mean =
         images_.any() ? Vec3{} : mean_of(a.real_count(), [&](std::size_t p) { return a.motion[p].velocity; });
-    double fastest = 0, largest = 0;
-    for (Index p = 0; p < a.real_count(); ++p) {
-        fastest = std::max(fastest, norm(a.motion[p].velocity - mean));
-        largest = std::max(largest, a.motion[p].smoothing);
-    }
+    const double fastest =
+        largest_of(a.real_count(), [&](std::size_t p) { return norm(a.motion[p].velocity - mean); });
+    const double largest = largest_of(a.real_count(), [&](std::size_t p) { return a.motion[p].smoothing; });
     choose_skin();
     const double skin = skin_ * support_ * largest;
     least_skin_ = least_share * skin;
     const double time = fastest > 0 ? (largest_share - least_share) * skin / fastest : 0;
-    for_chunks(a.real_count(), [&](std::size_t begin, std::size_t end) {
+    const double all_skins = sum_chunks(a.real_count(), [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
         for (std::size_t p = begin; p < end; ++p) {
             const double own_skin = least_skin_ + norm(a.motion[p].velocity - mean) * time;
             a.reach[p] = static_cast<float>(0.5 * (support_ * a.motion[p].smoothing + own_skin));
+            sum += own_skin;
         }
+        return sum;
     });
+    mean_share_ = all_skins / (skin * a.real_count());
+    return 2 * largest_of(a.real_count(), [&](std::size_t p) { return a.reach[p]; });
 }
 
 void ParticleArrays::remember_build()
@@ -182,9 +200,10 @@ void ParticleBody::list_neighbours(const ParticleCells& cells)
         sees[part] = 0;
         for (std::uint64_t& seen : sees) seen &= ~(1ULL << part);
     }
-    build_neighbours(
-        cells, {a.motion, a.reach, a.asleep, group.empty() ? std::span(a.part) : std::span(group), sees},
-        runs_);
+    build_neighbours(cells,
+                     {a.motion, a.reach, real_count_, a.asleep,
+                      group.empty() ? std::span(a.part) : std::span(group), sees},
+                     runs_);
     ++searches_;
 }
 

@@ -31,25 +31,27 @@ void ParticleBody::put_to_sleep(State& state)
     places_.assign(parts_.size(), {});
     sleepers_.assign(parts_.size(), {});
     const bool nobody = options_.regions.empty() && !inflows_.any();
-    if (nobody) {
-        for (std::size_t i = 0; i < parts_.size(); ++i) places_[i].reserve(parts_[i].nodes.size());
-    }
     inflows_.look(state);
     regions_at_.clear();
     for (const ActiveRegion& region : options_.regions) {
         regions_at_.push_back(region.travelled(state, model_.nodes.position));
     }
     bonded_places_.clear();
+    if (nobody && a.bonded.empty() && parts_.size() == 1) { // all are awake, from the first one on
+        places_[0].take_all(a.real_count());
+        return;
+    }
     for (Index p = 0; p < a.real_count(); ++p) {
         if (!a.bonded.empty() && a.bonded[p]) {
-            a.asleep[p] = 0;
+            if (!nobody) a.asleep[p] = 0;
             bonded_places_.push_back(p);
             continue;
         }
-        a.asleep[p] = !nobody && !is_awake(p);
+        const bool asleep = !nobody && !is_awake(p);
+        if (!nobody) a.asleep[p] = asleep;
         // Those that wait to flow in are pressed by those in front of them.
-        const bool at_rest = a.asleep[p] && !inflows_.waits(a.node[p]);
-        (at_rest ? sleepers_ : places_)[a.part[p]].push_back(p);
+        const bool at_rest = asleep && !inflows_.waits(a.node[p]);
+        (at_rest ? sleepers_ : places_)[a.part[p]].add(p);
         if (!at_rest) continue;
         Vec3& velocity = state.velocity[a.node[p]];
         damped_energy_ += 0.5 * a.mass(p) * dot(velocity, velocity);
@@ -61,11 +63,11 @@ void ParticleBody::put_to_sleep(State& state)
 void ParticleBody::constrain(const Clock& clock, State& state)
 {
     inflows_.constrain(clock, state);
-    for (const std::vector<Index>& sleepers : sleepers_) {
-        for (Index p : sleepers) {
+    for (const PlaceList& sleepers : sleepers_) {
+        sleepers.for_each([&](Index p) {
             state.force[arrays_.node[p]] = {};
             state.velocity[arrays_.node[p]] = {};
-        }
+        });
     }
 }
 

@@ -214,7 +214,8 @@ TEST_P(SphCorrections, DiffusionLeavesMassAndTheHydrostaticStateAlone)
     const TwoPartBlock block(dimension, volumes);
     const ParticleArrays& a = block.arrays();
     const Vec3 gravity{0, -0.7, 0};
-    const DensityDiffusion diffusion{0.1, gravity, a.push.data(), a.part.data(), a.image.data(), volumes};
+    const DensityDiffusion diffusion{
+        0.1, gravity, a.push.data(), a.part.data(), a.image.data(), a.real_count(), volumes};
     const auto spread_in = [&, dimension = dimension]<class Lane>(Lane) {
         return block.sums<Lane, double>([&](const NeighbourRun& run, double* spread) {
             static std::vector<double> rate;
