@@ -68,7 +68,7 @@ private:
         const Lanes stiffness = eos_.evaluate(compression).stiffness(compression, end.pressure, end.energy);
         const Lanes floor = broadcast<Lanes>(1e-6 * eos_.bulk_modulus);
         const Lanes sound = sqrt(max(stiffness, floor) * (1 / part.density));
-        const Lanes h = smoothing_length(part, places, compression, arrays);
+        const Lanes h = smoothing_length(part, places, compression, closing, step, arrays);
         const Lanes stable = stable_step(part, size_for_step(places, h, arrays), sound, closing);
 
         ParticleVote vote;

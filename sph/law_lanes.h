@@ -4,6 +4,7 @@
 #include "sph/rings.h"
 
 #include <algorithm>
+#include <cmath>
 
 /// What the laws of particles share: batches of particles at scattered places, density and smoothing length.
 namespace plash {
@@ -33,13 +34,24 @@ ParticleVote for_batches(std::span<const Index> places, Work&& work)
 /// Smoothing length that keeps the mass in a kernel, h^d density = const, within its bounds: the solution of
 /// dh/dt = h div(v) / d. Newton's iteration from the last value, which is close. Of rings it goes with the
 /// root of their area, and div(v) is that in the plane.
+/// Where the deck asks for it (DERIV = 1), dh/dt = h div(v)^(1/3) / d, over the step; its result depends on
+/// the unit of time.
+/// closing  -div(v) [1/time]
 inline Lanes smoothing_length(const PartConstants& part, std::span<const Index> places, Lanes compression,
-                              const ParticleArrays& arrays)
+                              Lanes closing, double step, const ParticleArrays& arrays)
 {
     const Lanes size = part.smoothing_mass == 0
                            ? broadcast<Lanes>(1.0)
                            : gather(places, [&](Index p) { return part.size_of(arrays.mass(p)); });
     const Lanes reference = part.smoothing * size;
+    const auto bounded = [&](Lanes h) {
+        return max(part.smallest_smoothing * size, min(part.largest_smoothing * size, h));
+    };
+    if (part.smoothing_by_cube_root) {
+        Lanes h = gather(places, [&](Index p) { return arrays.motion[p].smoothing; });
+        for (int l = 0; l < lane_count; ++l) h[l] *= std::exp(-step * std::cbrt(closing[l]) / part.dimension);
+        return bounded(h);
+    }
     if (are_rings(arrays)) {
         compression *= gather(places, [&](Index p) { return ring_radius(arrays.motion[p]); }) /
                        gather(places, [&](Index p) { return arrays.first_radius[p]; });
@@ -50,7 +62,7 @@ inline Lanes smoothing_length(const PartConstants& part, std::span<const Index> 
     for (int i = 0; i < 3; ++i) {
         h = part.dimension == 2 ? 0.5 * (h + kept / h) : (1.0 / 3.0) * (2.0 * h + kept / (h * h));
     }
-    return max(part.smallest_smoothing * size, min(part.largest_smoothing * size, h));
+    return bounded(h);
 }
 
 /// Density after a step; `change` is that of the density, or of its logarithm where `logarithmic`. A step may

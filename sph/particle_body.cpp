@@ -59,6 +59,7 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
         part.constants.dimension = options_.dimension;
         part.constants.volume_weighted = options_.volume_weighted;
         part.constants.failed_carry_nothing = options_.failed_carry_nothing;
+        part.constants.smoothing_by_cube_root = options_.smoothing_by_cube_root;
         part.constants.laminar_by_velocity = options_.laminar_by_velocity;
         viscous = viscous || part.constants.laminar_viscosity > 0;
         tensor_ = tensor_ || part.law->has_strength();

@@ -47,24 +47,25 @@ struct ParticleOptions {
     bool own_kernel = false; ///< `kernel` holds, whatever the sections say
     int dimension = 3;
     bool axisymmetric = false; ///< particles are rings around the y axis (sph/rings.h); with volume weights
-    bool volume_weighted = false;      ///< the fluid forms: pairs weighed by volumes instead of masses
-    bool renormalised = false;         ///< kernel gradients corrected to be exact for linear fields
-    bool failed_carry_nothing = false; ///< failed solids lose their stress (IEROD = 1)
-    bool parts_interact = true;        ///< false: particles see only their own part (CONT = 1)
-    ArtificialViscosity viscosity;     ///< of pairs, or
-    bool bulk_viscosity = false;       ///< of particles, as solid elements have it (IAVIS = 1)
-    double density_diffusion = 0;      ///< delta of Molteni & Colagrossi, 0.1 as a rule; fluids only [-]
-    double velocity_blend = 0;         ///< epsilon of XSPH, 0.5 as a rule [-]
-    double shifting = 0;               ///< strength of particle shifting, 1 as a rule [-]
-    double tensile_repulsion = 0;      ///< epsilon of Monaghan's artificial pressure, 0.2 as a rule [-]
-    bool graded = false;               ///< smoothing lengths by the masses of particles
-    bool laminar_by_velocity = false;  ///< laminar viscosity of Morris et al., not of Monaghan & Cleary
-    int filter_interval = 0;           ///< cycles between two density re-initialisations; 0: none
-    std::vector<ActiveRegion> regions; ///< where particles are awake; none: everywhere
-    std::optional<Box> box;            ///< particles that leave it leave the run (BOXID)
-    double largest_speed = forever;    ///< faster particles leave the run (MAXV) [velocity]
-    double birth = 0;                  ///< particles act on each other from here ... [time]
-    double death = forever;            ///< ... to here [time]
+    bool volume_weighted = false;        ///< the fluid forms: pairs weighed by volumes instead of masses
+    bool renormalised = false;           ///< kernel gradients corrected to be exact for linear fields
+    bool failed_carry_nothing = false;   ///< failed solids lose their stress (IEROD = 1)
+    bool smoothing_by_cube_root = false; ///< smoothing lengths by the root of div(v) (DERIV = 1)
+    bool parts_interact = true;          ///< false: particles see only their own part (CONT = 1)
+    ArtificialViscosity viscosity;       ///< of pairs, or
+    bool bulk_viscosity = false;         ///< of particles, as solid elements have it (IAVIS = 1)
+    double density_diffusion = 0;        ///< delta of Molteni & Colagrossi, 0.1 as a rule; fluids only [-]
+    double velocity_blend = 0;           ///< epsilon of XSPH, 0.5 as a rule [-]
+    double shifting = 0;                 ///< strength of particle shifting, 1 as a rule [-]
+    double tensile_repulsion = 0;        ///< epsilon of Monaghan's artificial pressure, 0.2 as a rule [-]
+    bool graded = false;                 ///< smoothing lengths by the masses of particles
+    bool laminar_by_velocity = false;    ///< laminar viscosity of Morris et al., not of Monaghan & Cleary
+    int filter_interval = 0;             ///< cycles between two density re-initialisations; 0: none
+    std::vector<ActiveRegion> regions;   ///< where particles are awake; none: everywhere
+    std::optional<Box> box;              ///< particles that leave it leave the run (BOXID)
+    double largest_speed = forever;      ///< faster particles leave the run (MAXV) [velocity]
+    double birth = 0;                    ///< particles act on each other from here ... [time]
+    double death = forever;              ///< ... to here [time]
     double skin = 0; ///< of the neighbour lists, as a share of the largest kernel radius; 0: what costs least
     std::vector<MirrorPlane> mirrors;
     std::vector<PeriodicPair> periods;

@@ -17,8 +17,9 @@ struct PartConstants {
     bool failed_carry_nothing = false; ///< IEROD = 1
     double smoothing = 0;              ///< h at the reference density [length]
     double smoothing_mass = 0; ///< of the particle that has this h, and its bounds; 0: all particles [mass]
-    double smallest_smoothing = 0; ///< [length]
-    double largest_smoothing = 0;  ///< [length]
+    double smallest_smoothing = 0;       ///< [length]
+    double largest_smoothing = 0;        ///< [length]
+    bool smoothing_by_cube_root = false; ///< DERIV = 1
     ArtificialViscosity viscosity;
     double bulk_length = 0; ///< that viscosity of solid elements goes by, over h; 0: viscosity of pairs [-]
     double laminar_viscosity = 0;     ///< dynamic [stress time]

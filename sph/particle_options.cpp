@@ -81,9 +81,14 @@ void read_control(const Record& control, ParticleOptions& options)
     const double last = control.real("DT");
     options.birth = control.real("START");
     options.death = last > 0 ? last : forever;
-    if (control.integer("DERIV") != 0) {
-        reject_field(control, "DERIV", "smoothing lengths follow h div(v) / d (0) alone");
+    const Id derivative = control.integer("DERIV");
+    if (derivative < 0 || derivative > 1) {
+        reject_field(control, "DERIV",
+                     fmt::format("{} is not supported; smoothing lengths follow h div(v) / d (0) or its cube "
+                                 "root (1)",
+                                 derivative));
     }
+    options.smoothing_by_cube_root = derivative == 1;
     const Id erosion = control.integer("IEROD");
     if (erosion < 0 || erosion > 1) {
         reject_field(control, "IEROD",

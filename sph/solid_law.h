@@ -114,7 +114,7 @@ private:
         const Lanes energy = from(arrays.energy) +
                              0.5 * middle_volume * (contract(stress_before + stress, increment) + bulk_work);
         const Lanes sound = sqrt(wave_modulus_ / density);
-        const Lanes h = smoothing_length(part, places, compression, arrays);
+        const Lanes h = smoothing_length(part, places, compression, closing, step, arrays);
         const Lanes stable = stable_step(part, size_for_step(places, h, arrays), sound, closing);
 
         ParticleVote vote;

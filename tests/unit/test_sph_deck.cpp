@@ -108,6 +108,8 @@ TEST(SphDeck, MapsFormsAndBoundaries)
     const ParticleOptions fluid = options("*CONTROL_SPH\n1,,,,,6\n1\n");
     EXPECT_TRUE(fluid.volume_weighted && fluid.renormalised && !fluid.parts_interact);
     EXPECT_TRUE(options("*CONTROL_SPH\n1\n,,,,,,1\n").bulk_viscosity);
+    EXPECT_FALSE(options("").smoothing_by_cube_root);
+    EXPECT_TRUE(options("*CONTROL_SPH\n1\n0,1\n").smoothing_by_cube_root);
     const auto mirrors = options("*BOUNDARY_SPH_SYMMETRY_PLANE\n0,-5,0,0,3,0\n").mirrors;
     ASSERT_EQ(mirrors.size(), 1u);
     EXPECT_EQ(norm(mirrors[0].normal - Vec3{0, 1, 0}), 0);
