@@ -1,6 +1,7 @@
 #include "output/beam_files.h"
 
 #include "output/ascii_text.h"
+#include "output/chosen_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +12,6 @@ namespace plash {
 namespace {
 
 constexpr int most_points = 64; // of a cross section that are shown
-
-std::vector<Index> rows_of(std::span<const Index> elements, std::size_t count)
-{
-    std::vector<Index> rows(count, none);
-    for (std::size_t row = 0; row < elements.size(); ++row) rows[elements[row]] = static_cast<Index>(row);
-    return rows;
-}
 
 /// Number of LS-DYNA's material type: 100 of *MAT_SPOTWELD.
 int material_type(const std::string& keyword)

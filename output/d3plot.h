@@ -2,6 +2,7 @@
 
 #include "output/d3plot_family.h"
 #include "output/d3plot_layout.h"
+#include "output/d3plot_values.h"
 #include "output/schedule.h"
 
 namespace plash {
@@ -10,11 +11,8 @@ namespace plash {
 /// read. Single precision. The state at the end of the run is always written.
 class D3plotRecorder final : public ScheduledRecorder {
 public:
-    /// Largest file before the next one begins: 256 MiB in words.
-    static constexpr std::size_t default_words_per_file = std::size_t{64} << 20;
-
     D3plotRecorder(const Model&, Schedule, const ResultPath& path,
-                   std::size_t words_per_file = default_words_per_file);
+                   std::size_t words_per_file = D3plotFamily::usual_words_per_file);
 
     void write_on_request(const Snapshot& snapshot) override { write(snapshot); }
     void finish(const Snapshot& snapshot) override { write(snapshot); }
@@ -22,17 +20,10 @@ public:
 private:
     D3plotLayout layout_;
     D3plotFamily family_;
-    ElementResults results_; ///< kept between states for its memory
+    D3plotValues values_;
 
     void write_state(const Snapshot&) override;
     void serialise_files(Archive& archive) override { archive(family_); }
-    void put_globals(const Snapshot&, const Vec3& velocity);
-    void put_solids();
-    void put_point(std::size_t place, const std::vector<SymmetricTensor<double>>& stress,
-                   const std::vector<double>& strain, const std::vector<double>& history);
-    void put_thick_shells();
-    void put_beams();
-    void put_shells();
     void put_particles(const Model&);
 };
 

@@ -2,6 +2,7 @@
 
 #include "output/result_file.h"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -20,6 +21,9 @@ namespace plash {
 /// with its own marker after it, and only then does its time replace the old marker.
 class D3plotFamily {
 public:
+    /// Largest file before the next one begins: 256 MiB in words.
+    static constexpr std::size_t usual_words_per_file = std::size_t{64} << 20;
+
     /// `path` names the first file. With `resume` nothing is touched until `serialise` has loaded where the
     /// family goes on, unless its first file has gone. A file takes another state only while it stays within
     /// `words_per_file`, or when it is the first; `one_state_per_file` never puts two into one. Files that an
@@ -31,11 +35,8 @@ public:
 
     /// Starts a state of `word_count` words after its time; exactly as many must be `put`.
     void begin_state(double time, std::size_t word_count);
-    void put(double value)
-    {
-        buffer_.push_back(static_cast<float>(value));
-        if (buffer_.size() == buffer_length) drain();
-    }
+    void put(double value) { put_word(static_cast<float>(value)); }
+    void put_integer(std::uint32_t value) { put_word(std::bit_cast<float>(value)); }
     void end_state();
 
     /// Saves how far the family has come, or cuts it to that: later states and files go.
@@ -61,6 +62,11 @@ private:
     std::vector<float> buffer_;
 
     std::string path_of(int number) const;
+    void put_word(float word)
+    {
+        buffer_.push_back(word);
+        if (buffer_.size() == buffer_length) drain();
+    }
     void open(int number);
     void remove_after(int number) const;
     void seek(std::size_t word);

@@ -93,52 +93,6 @@ std::uint32_t parts_without_elements(const Model& model)
     return static_cast<std::uint32_t>(std::count(used.begin(), used.end(), false));
 }
 
-/// The 64 words that every reader starts from.
-std::vector<std::uint32_t> control_block(const Model& model, const D3plotLayout& layout)
-{
-    const auto count = [](std::size_t n) { return static_cast<std::uint32_t>(n); };
-    const std::size_t part_count = layout.parts.size();
-    std::vector<std::uint32_t> words;
-    put_text(words, model.title, 10);
-    words.resize(64);
-    words[11] = 1;          // file type: d3plot
-    words[13] = 0x30303152; // release "R100": the files that this layout was compared with
-    words[14] = bits(971);  // version; from 971 on a rigid wall has a force and a place
-    words[15] = 4;          // NDIM: three dimensions, connectivities one word a node
-    words[16] = count(layout.nodes.size());
-    words[17] = 6; // ICODE: LS-DYNA
-    words[18] = count(layout.global_words());
-    words[20] = words[21] = words[22] = 1; // IU, IV, IA
-    words[23] = count(layout.solids.size());
-    words[24] = parts_with(model.solids.part, part_count) + parts_without_elements(model);
-    words[27] = count(layout.solid_words());
-    words[28] = count(layout.beams.size());
-    words[29] = parts_with(model.beams.part, part_count);
-    words[30] = count(layout.beam_words()); // NV1D
-    words[31] = count(layout.shells.size());
-    words[32] = parts_with(model.shells.part, part_count);
-    words[33] = count(layout.shell_words());
-    words[34] = count(layout.solid_history() + 6 * layout.strains); // NEIPH: the last six are strains
-    words[35] = static_cast<std::uint32_t>(layout.shell_variables); // NEIPS
-    words[36] =
-        static_cast<std::uint32_t>(-(10000 + layout.layers)); // MAXINT; the minus: deletion per element
-    words[37] = count(layout.particles.size());               // NMSPH
-    words[38] = parts_with(model.particles.part, part_count);
-    words[39] = count(16 + layout.nodes.size() + layout.solids.size() + layout.beams.size() +
-                      layout.shells.size() + layout.thick_shells.size() + 3 * part_count);
-    words[40] = count(layout.thick_shells.size());               // NELT
-    words[41] = parts_with(model.thick_shells.part, part_count); // NUMMATT
-    words[42] = count(layout.thick_shell_words());               // NV3DT
-    words[43] = layout.shell_stress ? 1000 : 999;
-    words[44] = layout.shell_strain ? 1000 : 999;
-    words[45] = layout.shell_forces ? 1000 : 999;
-    words[46] = layout.shell_extra ? 1000 : 999;
-    words[51] = count(part_count);
-    words[53] = 1;                          // INN: invariant node numbering for shells
-    words[56] = layout.strains ? 10000 : 0; // IDTDT: its fifth digit is ISTRN
-    return words;
-}
-
 /// The numbers that the deck gives to nodes, elements and parts (NARBS words).
 void put_numbers(std::vector<std::uint32_t>& words, const Model& model, const D3plotLayout& layout,
                  const std::vector<Id>& part_ids)
@@ -186,6 +140,13 @@ void put_numbers(std::vector<std::uint32_t>& words, const Model& model, const D3
 /// history. LS-DYNA 2025 writes 11 of them too, with 12 strains and 3 history variables.
 constexpr std::uint32_t particle_flags[] = {11, 1, 1, 6, 1, 1, 1, 1, 0, 1, 0};
 
+std::vector<Id> part_numbers(const Model& model)
+{
+    std::vector<Id> ids;
+    for (const Part& part : model.parts) ids.push_back(part.id);
+    return ids;
+}
+
 /// The particles by the numbers of their nodes.
 std::vector<Index> sorted_particles(const Model& model)
 {
@@ -206,9 +167,7 @@ D3plotLayout::D3plotLayout(const Model& model)
       walls(model.rigid_walls.size()),
       fluid_groups(has_eulerian_mesh(model) ? multi_material_groups(model) : 0)
 {
-    std::vector<Id> part_ids;
-    for (const Part& part : model.parts) part_ids.push_back(part.id);
-    parts = sorted_by_id(part_ids);
+    parts = sorted_by_id(part_numbers(model));
 
     const auto field = [&](const char* name, int fallback) {
         const int value = model.controls.output.extent_of(name);
@@ -226,15 +185,58 @@ D3plotLayout::D3plotLayout(const Model& model)
     one_state_per_file = field("IEVERP", 0) == 1;
 }
 
-std::vector<std::uint32_t> d3plot_geometry(const Model& model, const D3plotLayout& layout)
+std::vector<std::uint32_t> d3plot_control(const Model& model, const D3plotLayout& layout)
 {
-    std::vector<Id> part_ids;
-    for (const Part& part : model.parts) part_ids.push_back(part.id);
+    const auto count = [](std::size_t n) { return static_cast<std::uint32_t>(n); };
+    const std::size_t part_count = layout.parts.size();
+    std::vector<std::uint32_t> words;
+    put_text(words, model.title, 10);
+    words.resize(64);
+    words[11] = 1;          // file type: d3plot
+    words[13] = 0x30303152; // release "R100": the files that this layout was compared with
+    words[14] = bits(971);  // version; from 971 on a rigid wall has a force and a place
+    words[15] = 4;          // NDIM: three dimensions, connectivities one word a node
+    words[16] = count(layout.nodes.size());
+    words[17] = 6; // ICODE: LS-DYNA
+    words[18] = count(layout.global_words());
+    words[20] = words[21] = words[22] = 1; // IU, IV, IA
+    words[23] = count(layout.solids.size());
+    words[24] = parts_with(model.solids.part, part_count) + parts_without_elements(model);
+    words[27] = count(layout.solid_words());
+    words[28] = count(layout.beams.size());
+    words[29] = parts_with(model.beams.part, part_count);
+    words[30] = count(layout.beam_words()); // NV1D
+    words[31] = count(layout.shells.size());
+    words[32] = parts_with(model.shells.part, part_count);
+    words[33] = count(layout.shell_words());
+    words[34] = count(layout.solid_history() + 6 * layout.strains); // NEIPH: the last six are strains
+    words[35] = static_cast<std::uint32_t>(layout.shell_variables); // NEIPS
+    words[36] =
+        static_cast<std::uint32_t>(-(10000 + layout.layers)); // MAXINT; the minus: deletion per element
+    words[37] = count(layout.particles.size());               // NMSPH
+    words[38] = parts_with(model.particles.part, part_count);
+    words[39] = count(16 + layout.nodes.size() + layout.solids.size() + layout.beams.size() +
+                      layout.shells.size() + layout.thick_shells.size() + 3 * part_count);
+    words[40] = count(layout.thick_shells.size());               // NELT
+    words[41] = parts_with(model.thick_shells.part, part_count); // NUMMATT
+    words[42] = count(layout.thick_shell_words());               // NV3DT
+    words[43] = layout.shell_stress ? 1000 : 999;
+    words[44] = layout.shell_strain ? 1000 : 999;
+    words[45] = layout.shell_forces ? 1000 : 999;
+    words[46] = layout.shell_extra ? 1000 : 999;
+    words[51] = count(part_count);
+    words[53] = 1;                          // INN: invariant node numbering for shells
+    words[56] = layout.strains ? 10000 : 0; // IDTDT: its fifth digit is ISTRN
+    return words;
+}
 
-    std::vector<std::uint32_t> words = control_block(model, layout);
-    if (!layout.particles.empty()) {
-        words.insert(words.end(), std::begin(particle_flags), std::end(particle_flags));
-    }
+std::vector<std::uint32_t> D3plotLayout::node_places() const
+{
+    return places(nodes);
+}
+
+void put_mesh(std::vector<std::uint32_t>& words, const Model& model, const D3plotLayout& layout)
+{
     for (Index node : layout.nodes) {
         const Vec3& position = model.nodes.position[node];
         for (double x : {position.x, position.y, position.z}) words.push_back(bits(x));
@@ -244,7 +246,17 @@ std::vector<std::uint32_t> d3plot_geometry(const Model& model, const D3plotLayou
     put_elements(words, model.thick_shells, layout.thick_shells, node_place, part_place);
     put_beams(words, model, layout.beams, node_place, part_place);
     put_elements(words, model.shells, layout.shells, node_place, part_place);
-    put_numbers(words, model, layout, part_ids);
+    put_numbers(words, model, layout, part_numbers(model));
+}
+
+std::vector<std::uint32_t> d3plot_geometry(const Model& model, const D3plotLayout& layout)
+{
+    std::vector<std::uint32_t> words = d3plot_control(model, layout);
+    if (!layout.particles.empty()) {
+        words.insert(words.end(), std::begin(particle_flags), std::end(particle_flags));
+    }
+    put_mesh(words, model, layout);
+    const std::vector<std::uint32_t> node_place = places(layout.nodes), part_place = places(layout.parts);
     for (Index particle : layout.particles) {
         words.push_back(node_place[model.particles.node[particle]]);
         words.push_back(part_place[model.particles.part[particle]]);
@@ -254,7 +266,7 @@ std::vector<std::uint32_t> d3plot_geometry(const Model& model, const D3plotLayou
     words.push_back(90001); // part titles
     words.push_back(static_cast<std::uint32_t>(layout.parts.size()));
     for (Index part : layout.parts) {
-        words.push_back(static_cast<std::uint32_t>(part_ids[part]));
+        words.push_back(static_cast<std::uint32_t>(model.parts[part].id));
         put_text(words, model.parts[part].title, 18);
     }
     words.push_back(90000); // title of the deck

@@ -30,6 +30,9 @@ struct D3plotLayout {
     /// variables, as LS-DYNA's ALE elements do. 0: no such mesh.
     std::size_t fluid_groups = 0;
 
+    /// Place (from 1) of each node of the Model in the database.
+    std::vector<std::uint32_t> node_places() const;
+
     /// Takes *DATABASE_EXTENT_BINARY into account.
     explicit D3plotLayout(const Model&);
 
@@ -61,6 +64,12 @@ struct D3plotLayout {
                thick_shells.size() + particle_words() * particles.size();
     }
 };
+
+/// The 64 words that every reader starts from.
+std::vector<std::uint32_t> d3plot_control(const Model&, const D3plotLayout&);
+
+/// Appends coordinates, connectivities and numbers.
+void put_mesh(std::vector<std::uint32_t>& words, const Model&, const D3plotLayout&);
 
 /// Everything before the states: control block, coordinates and connectivities, numbers, titles.
 std::vector<std::uint32_t> d3plot_geometry(const Model&, const D3plotLayout&);

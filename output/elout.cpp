@@ -2,6 +2,7 @@
 
 #include "output/ascii_text.h"
 #include "output/beam_files.h"
+#include "output/chosen_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,21 +49,6 @@ void append_strains(std::string& text, std::span<const ElementHistory> elements,
             ++strain;
         }
     }
-}
-
-/// Marks the rows of some elements among `count`.
-std::vector<Index> rows_of(const std::vector<Index>& elements, std::size_t count)
-{
-    std::vector<Index> rows(count, none);
-    for (std::size_t row = 0; row < elements.size(); ++row) rows[elements[row]] = static_cast<Index>(row);
-    return rows;
-}
-
-std::vector<Index> without_repeats(std::vector<Index> elements)
-{
-    std::sort(elements.begin(), elements.end());
-    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
-    return elements;
 }
 
 const Record* section_of(const Model& model, Index part)

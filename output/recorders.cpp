@@ -7,6 +7,7 @@
 #include "output/bndout.h"
 #include "output/contact_files.h"
 #include "output/d3plot.h"
+#include "output/d3thdt.h"
 #include "output/dbfsi.h"
 #include "output/deforc.h"
 #include "output/disbout.h"
@@ -212,6 +213,11 @@ std::vector<std::unique_ptr<Recorder>> make_recorders(const Model& model, const 
     if (asked_for(d3plot)) {
         recorders.push_back(
             std::make_unique<D3plotRecorder>(model, schedule_of(d3plot, model), path_of("/d3plot")));
+    }
+    const auto d3thdt = model.controls.output.ascii.find("d3thdt");
+    if (d3thdt != model.controls.output.ascii.end() && asked_for(d3thdt->second)) {
+        recorders.push_back(
+            std::make_unique<D3thdtRecorder>(model, schedule_of(d3thdt->second, model), path_of("/d3thdt")));
     }
     const auto intfor = model.controls.output.ascii.find("intfor");
     if (intfor != model.controls.output.ascii.end() && asked_for(intfor->second) && !model.contacts.empty()) {

@@ -35,18 +35,26 @@ void read_ascii(const Record& record, const Block&, Reading& reading)
 }
 
 /// NPLTC asks for a number of states instead of an interval.
+OutputRequest state_request_of(const Record& record, Reading& reading)
+{
+    OutputRequest request = request_of(record, "LCDT", reading);
+    request.states = static_cast<int>(record.integer("NPLTC"));
+    return request;
+}
+
 void read_d3plot(const Record& record, const Block&, Reading& reading)
 {
-    OutputRequest& request = reading.model.controls.output.d3plot;
-    request = request_of(record, "LCDT", reading);
-    request.states = static_cast<int>(record.integer("NPLTC"));
+    reading.model.controls.output.d3plot = state_request_of(record, reading);
+}
+
+void read_d3thdt(const Record& record, const Block&, Reading& reading)
+{
+    reading.model.controls.output.ascii["d3thdt"] = state_request_of(record, reading);
 }
 
 void read_intfor(const Record& record, const Block&, Reading& reading)
 {
-    OutputRequest& request = reading.model.controls.output.ascii["intfor"];
-    request = request_of(record, "LCDT", reading);
-    request.states = static_cast<int>(record.integer("NPLTC"));
+    reading.model.controls.output.ascii["intfor"] = state_request_of(record, reading);
 }
 
 void read_intfor_file(const Record& record, const Block& block, Reading& reading)
@@ -366,6 +374,7 @@ constexpr Translator database_table[] = {
     {"DATABASE_SPHOUT", Phase::conditions, read_ascii},
     {"DATABASE_TRHIST", Phase::conditions, read_ascii},
     {"DATABASE_BINARY_D3PLOT", Phase::conditions, read_d3plot},
+    {"DATABASE_BINARY_D3THDT", Phase::conditions, read_d3thdt},
     {"DATABASE_BINARY_INTFOR", Phase::conditions, read_intfor},
     {"DATABASE_BINARY_INTFOR_FILE", Phase::conditions, read_intfor_file},
     {"DATABASE_BINARY_D3DUMP", Phase::conditions, read_d3dump},
