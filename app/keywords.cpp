@@ -143,8 +143,8 @@ int list_keywords(const std::string& name, bool json, bool page)
         chosen.push_back(one);
     } else {
         const std::string part = table.resolve(name).name;
-        for (const auto& layout : table.all())
-            if (layout->name.find(part) != std::string::npos) chosen.push_back(layout.get());
+        for (const KeywordLayout* layout : table.all())
+            if (layout->name.find(part) != std::string::npos) chosen.push_back(layout);
     }
     if (chosen.empty()) {
         fmt::print(stderr, "plash: no keyword like '{}'\n", name);

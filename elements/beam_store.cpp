@@ -2,6 +2,7 @@
 
 #include "core/prescribed_rate.h"
 #include "core/run_error.h"
+#include "core/smallest_steps.h"
 #include "elements/initial_beam_stress.h"
 
 #include <cmath>
@@ -368,7 +369,7 @@ void BeamStore::collect_steps(const State& state, ElementResults& results) const
         const Lanes step = stable_step(batch, length);
         for (int lane = 0; lane < patches.active_lanes(batch); ++lane) {
             const Index element = patches.elements[batch * lane_count + lane];
-            results.steps.push_back({"beam", model.beams.id[element], model.parts[part].id, step[lane]});
+            add_step(results, {"beam", model.beams.id[element], model.parts[part].id, step[lane]});
         }
     }
 }

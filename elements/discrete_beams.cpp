@@ -1,6 +1,7 @@
 #include "elements/discrete_beams.h"
 
 #include "core/run_error.h"
+#include "core/smallest_steps.h"
 #include "materials/parameters.h"
 
 #include <algorithm>
@@ -287,8 +288,8 @@ void DiscreteBeams::collect(const State& state, ElementResults& results) const
         if (results.springs_wanted)
             results.discrete_beams.push_back({beam.element, point.way, point.force, beam.axes});
         if (results.steps_wanted) {
-            results.steps.push_back({"beam", model_.beams.id[beam.element], model_.parts[part_].id,
-                                     stable_step_of(beam, point, state)});
+            add_step(results, {"beam", model_.beams.id[beam.element], model_.parts[part_].id,
+                               stable_step_of(beam, point, state)});
         }
         if (results.part_motion.empty()) continue;
         ElementResults::PartMotion& motion = results.part_motion[part_];

@@ -1,6 +1,7 @@
 #include "elements/shell_store.h"
 
 #include "core/run_error.h"
+#include "core/smallest_steps.h"
 #include "elements/result_layers.h"
 #include "elements/shell_mass.h"
 #include "math/tensor3.h"
@@ -319,8 +320,8 @@ void ShellStore::collect_steps(const State& state, ElementResults& results) cons
             const Index element = patches.elements[batch * lane_count + lane];
             const double factor = record(batch)[shell_record::mass_factor][lane];
             const double length = squared_length_of(model, state, element, settings.length_rule);
-            results.steps.push_back({"shell", model.shells.id[element], model.parts[part].id,
-                                     std::sqrt(factor * length) / settings.wave_speed});
+            add_step(results, {"shell", model.shells.id[element], model.parts[part].id,
+                               std::sqrt(factor * length) / settings.wave_speed});
         }
     }
 }

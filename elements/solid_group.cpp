@@ -1,6 +1,7 @@
 #include "elements/solid_group.h"
 
 #include "core/run_error.h"
+#include "core/smallest_steps.h"
 #include "elements/solid_strain.h"
 
 #include <algorithm>
@@ -47,6 +48,8 @@ SolidGroup::SolidGroup(SolidSetup setup, const State& state, int history_size, i
       history_(static_cast<std::size_t>(patches_.batch_count()) * history_size),
       constants_(static_cast<std::size_t>(patches_.batch_count()) * constant_count)
 {
+    setup_.connectivity = {}; // the patches have it now
+    setup_.elements = {};
     const Model& model = setup_.model;
     if (model.controls.output.strains() && !setup_.thick_shells) {
         strain_.resize(6 * static_cast<std::size_t>(patches_.batch_count()));
@@ -493,8 +496,8 @@ void SolidGroup::collect(const State& state, ElementResults& results) const
         const Lanes* history = &history_[place / lane_count * history_size_];
         const int lane = static_cast<int>(place % lane_count);
         if (results.steps_wanted) {
-            results.steps.push_back({setup_.kind(), setup_.bricks().id[element_of(place)],
-                                     setup_.model.parts[setup_.part].id, first_step_[place]});
+            add_step(results, {setup_.kind(), setup_.bricks().id[element_of(place)],
+                               setup_.model.parts[setup_.part].id, first_step_[place]});
         }
         const Index row =
             setup_.thick_shells ? none : results.row_of_solid(static_cast<Index>(element_of(place)));

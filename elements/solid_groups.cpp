@@ -222,6 +222,7 @@ void add_part(const Model& model, Index part_index, const std::vector<Index>& el
         setup.initial_stresses = &initial_stresses;
         setup.initial_strains = &initial_strains;
         if (ten > 0) setup.ten_nodes = formulation == 16 ? &quadratic_tetrahedron : &composite_tetrahedron;
+        setup.connectivity.reserve(setup.elements.size() * (ten > 0 ? 10 : 8));
         for (Index element : setup.elements) {
             if (const auto* all = ten_nodes(model, element)) {
                 setup.connectivity.insert(setup.connectivity.end(), all->begin(), all->end());

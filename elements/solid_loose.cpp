@@ -98,7 +98,7 @@ struct Cluster {
     std::vector<Vec3> inverse_mass;
     std::vector<Index> number; ///< by node of the group; none: not of the cluster
 
-    explicit Cluster(std::size_t nodes) : number(nodes, none) {}
+    Cluster(std::size_t nodes, std::size_t solid_count) : number(nodes, none) { solids.reserve(solid_count); }
     void add(LinearSolid solid, std::span<const Vec3> node_inverse_mass)
     {
         for (Index& node : solid.node) {
@@ -213,11 +213,17 @@ void SolidGroup::hold_back_loose_elements(const State& state)
             if (fixed.freedoms & 4) value.z = 0;
         }
     }
-    Cluster cluster(own.size());
+    const auto beside = [&](const Patches::Patch& patch, std::size_t place) {
+        bool any = false;
+        for (int i = 0; i < 8; ++i) any = any || around[own_corner(patch, place, i)];
+        return any;
+    };
+    std::size_t members = 0;
+    for_each_element(
+        [&](const Patches::Patch& patch, std::size_t place) { members += beside(patch, place) ? 1 : 0; });
+    Cluster cluster(own.size(), members);
     for_each_element([&](const Patches::Patch& patch, std::size_t place) {
-        bool beside = false;
-        for (int i = 0; i < 8; ++i) beside = beside || around[own_corner(patch, place, i)];
-        if (beside) cluster.add(linear_solid(patch, place), inverse_mass);
+        if (beside(patch, place)) cluster.add(linear_solid(patch, place), inverse_mass);
     });
     // Bulk viscosity acts in every other step of the fastest vibrations, with half of its strength on the
     // whole.

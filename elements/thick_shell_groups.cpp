@@ -73,6 +73,7 @@ std::vector<std::unique_ptr<SolidGroup>> make_thick_shell_groups(const Model& mo
             SolidSetup setup{model, part, std::move(members)};
             setup.thick_shells = true;
             setup.initial_stresses = &initial_stresses;
+            setup.connectivity.reserve(8 * setup.elements.size());
             for (Index element : setup.elements) {
                 const auto& nodes = shells.nodes[element];
                 setup.connectivity.insert(setup.connectivity.end(), nodes.begin(), nodes.end());

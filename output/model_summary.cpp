@@ -1,18 +1,16 @@
 #include "output/model_summary.h"
 
+#include "core/smallest_steps.h"
 #include "output/ascii_text.h"
 #include "output/result_file.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
-#include <tuple>
 
 namespace plash {
 
 namespace {
-
-constexpr std::size_t listed_steps = 100;
 
 void append_counts(std::string& text, const Model& model)
 {
@@ -85,11 +83,8 @@ std::string format_d3hsp(const Model& model, const MassSummary& summary,
     append_parts(text, model, summary);
 
     const std::size_t count = std::min(listed_steps, steps.size());
-    // Equal steps go by number, so that the list does not depend on the order of the terms.
     std::partial_sort(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(count), steps.end(),
-                      [](const auto& a, const auto& b) {
-                          return std::tie(a.step, a.kind, a.element) < std::tie(b.step, b.kind, b.element);
-                      });
+                      is_smaller);
     fmt::format_to(std::back_inserter(text),
                    "\n {} smallest timesteps\n\n element                  part        timestep\n", count);
     for (std::size_t i = 0; i < count; ++i) {

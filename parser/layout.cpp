@@ -5,6 +5,8 @@
 #include "parser/number.h"
 
 #include <algorithm>
+#include <fmt/format.h>
+#include <stdexcept>
 
 namespace plash {
 namespace {
@@ -93,17 +95,52 @@ Kind KeywordLayout::defines() const
 
 LayoutTable::LayoutTable(const std::vector<std::string_view>& texts)
 {
-    for (std::string_view text : texts) parse_layouts(text, layouts_);
-    for (const auto& layout : layouts_) {
-        by_name_.emplace(index_form(layout->name), layout.get());
-        for (const std::string& alias : layout->aliases) by_name_.emplace(index_form(alias), layout.get());
+    for (std::string_view text : texts) {
+        for (const LayoutBlock& block : layout_blocks(text)) {
+            const auto family = static_cast<std::uint32_t>(families_.size());
+            for (std::uint32_t member = 0; member < block.heads.size(); ++member) {
+                for (std::string_view name : block.heads[member])
+                    by_name_.emplace(index_form(name), Place{family, member});
+            }
+            Family& added = families_.emplace_back();
+            added.text = block.text;
+            added.line = block.line;
+        }
     }
+}
+
+const std::vector<std::unique_ptr<KeywordLayout>>& LayoutTable::members_of(Family& family) const
+{
+    if (!family.members.empty()) return family.members;
+    if (family.reading)
+        throw std::runtime_error(fmt::format("layout line {}: `like` goes in a circle", family.line));
+    family.reading = true;
+    family.members =
+        parse_layouts(family.text, family.line, [&](std::string_view name) { return find_locked(name); });
+    family.reading = false;
+    return family.members;
+}
+
+const KeywordLayout* LayoutTable::find_locked(std::string_view name) const
+{
+    const auto found = by_name_.find(index_form(name));
+    if (found == by_name_.end()) return nullptr;
+    return members_of(families_[found->second.family])[found->second.member].get();
 }
 
 const KeywordLayout* LayoutTable::find(std::string_view name) const
 {
-    const auto found = by_name_.find(index_form(name));
-    return found == by_name_.end() ? nullptr : found->second;
+    const std::lock_guard guard(mutex_);
+    return find_locked(name);
+}
+
+std::vector<const KeywordLayout*> LayoutTable::all() const
+{
+    const std::lock_guard guard(mutex_);
+    std::vector<const KeywordLayout*> layouts;
+    for (Family& family : families_)
+        for (const auto& member : members_of(family)) layouts.push_back(member.get());
+    return layouts;
 }
 
 KeywordName LayoutTable::resolve(std::string_view written) const

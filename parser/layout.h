@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -125,21 +126,37 @@ struct KeywordName {
     std::vector<std::string> options;      ///< suffixes that were split off: "TITLE", "ID", "MPP" ...
 };
 
-/// All keywords that Plash knows.
+/// All keywords that Plash knows. A layout is read when somebody asks for it: a deck uses a few dozen of
+/// 1,450, and all of them would take 9 MB.
 class LayoutTable {
 public:
-    /// Reads layout text (its grammar stands in docs/layouts.md). Throws std::runtime_error on a mistake in
-    /// it.
+    /// Texts of layouts (their grammar stands in docs/layouts.md), which must live as long as the table. A
+    /// mistake in one throws std::runtime_error when its keyword is asked for.
     explicit LayoutTable(const std::vector<std::string_view>& texts);
 
     /// Finds the keyword of a name in any spelling: aliases, `-` for `_`, options in any order.
     KeywordName resolve(std::string_view written) const;
     const KeywordLayout* find(std::string_view name) const;
-    const std::vector<std::unique_ptr<KeywordLayout>>& all() const { return layouts_; }
+    /// Every keyword, in the order of the texts.
+    std::vector<const KeywordLayout*> all() const;
 
 private:
-    std::vector<std::unique_ptr<KeywordLayout>> layouts_;
-    std::unordered_map<std::string, const KeywordLayout*> by_name_;
+    /// Keywords that share a body of cards.
+    struct Family {
+        std::string_view text;                               ///< heads and body
+        int line = 0;                                        ///< of its start in its file
+        std::vector<std::unique_ptr<KeywordLayout>> members; ///< none until one of them is asked for
+        bool reading = false;
+    };
+    struct Place {
+        std::uint32_t family, member;
+    };
+    mutable std::mutex mutex_; ///< of the members of families
+    mutable std::vector<Family> families_;
+    std::unordered_map<std::string, Place> by_name_;
+
+    const std::vector<std::unique_ptr<KeywordLayout>>& members_of(Family&) const;
+    const KeywordLayout* find_locked(std::string_view name) const;
 };
 
 /// The table built from parser/layouts/*.txt.

@@ -175,17 +175,36 @@ void parse_card_head(std::string_view& text, CardLayout& card)
     }
 }
 
+/// Name and aliases of a line that begins with `*`.
+std::vector<std::string_view> names_of_head(std::string_view line)
+{
+    std::vector<std::string_view> names;
+    std::string_view text = line.substr(1, line.find('[') - 1);
+    while (!(text = trimmed(text)).empty()) {
+        const std::string_view word = take_word(text);
+        if (word != "=") names.push_back(word);
+    }
+    if (names.empty()) fail("a keyword needs a name", line);
+    return names;
+}
+
+/// A line without meaning.
+bool is_comment(std::string_view content)
+{
+    return content.empty() || content.front() == '#';
+}
+
 /// Reads layout text line by line; the stack of open `{` says where a card belongs.
 class LayoutParser {
 public:
-    explicit LayoutParser(std::vector<std::unique_ptr<KeywordLayout>>& known) : known_(known) {}
+    explicit LayoutParser(const std::function<const KeywordLayout*(std::string_view)>& find) : find_(find) {}
 
     void line(std::string_view text)
     {
         if (text.front() == '*') {
             if (open_.size() > 1) fail("`{` without `}` before", text);
             if (has_body_) finish();
-            header(text.substr(1));
+            header(text);
             return;
         }
         if (names_.empty()) fail("a card before the first keyword", text);
@@ -221,12 +240,14 @@ public:
             auto layout = std::make_unique<KeywordLayout>(body_);
             layout->name = names.front();
             layout->aliases.assign(names.begin() + 1, names.end());
-            known_.push_back(std::move(layout));
+            layouts_.push_back(std::move(layout));
         }
         names_.clear();
         body_ = {};
         has_body_ = false;
     }
+
+    std::vector<std::unique_ptr<KeywordLayout>> take() { return std::move(layouts_); }
 
 private:
     void header(std::string_view text)
@@ -235,15 +256,9 @@ private:
             std::string_view options = text.substr(bracket + 1);
             options = options.substr(0, options.find(']'));
             while (!options.empty()) standard_option(take_word(options));
-            text = text.substr(0, bracket);
         }
-        std::vector<std::string> names;
-        while (!(text = trimmed(text)).empty()) {
-            const std::string_view word = take_word(text);
-            if (word != "=") names.emplace_back(word);
-        }
-        if (names.empty()) fail("a keyword needs a name", text);
-        names_.push_back(std::move(names));
+        const std::vector<std::string_view> names = names_of_head(text);
+        names_.emplace_back(names.begin(), names.end());
         open_ = {&body_.cards};
     }
 
@@ -297,13 +312,10 @@ private:
 
     void like(std::string_view name)
     {
-        for (const auto& other : known_) {
-            if (other->name != name) continue;
-            body_.cards = other->cards;
-            for (const OptionLayout& option : other->options) body_.options.push_back(option);
-            return;
-        }
-        fail("`like` names an unknown keyword", name);
+        const KeywordLayout* other = find_(name);
+        if (!other) fail("`like` names an unknown keyword", name);
+        body_.cards = other->cards;
+        for (const OptionLayout& option : other->options) body_.options.push_back(option);
     }
 
     void card(std::string_view text)
@@ -317,7 +329,8 @@ private:
         if (opens) open_.push_back(&cards.back().group);
     }
 
-    std::vector<std::unique_ptr<KeywordLayout>>& known_;
+    const std::function<const KeywordLayout*(std::string_view)>& find_;
+    std::vector<std::unique_ptr<KeywordLayout>> layouts_;
     std::vector<std::vector<std::string>> names_; ///< keywords that share the body being read
     KeywordLayout body_;
     bool has_body_ = false;
@@ -379,18 +392,46 @@ std::string_view to_string(Kind kind)
     return "thing";
 }
 
-void parse_layouts(std::string_view text, std::vector<std::unique_ptr<KeywordLayout>>& known)
+std::vector<LayoutBlock> layout_blocks(std::string_view text)
 {
+    std::vector<LayoutBlock> blocks;
     LineCursor cursor(text, 1);
-    LayoutParser parser(known);
+    bool in_body = true;
+    std::string_view line;
+    const char* line_begin = cursor.position();
+    for (; cursor.next(line); line_begin = cursor.position()) {
+        const std::string_view content = trimmed(line);
+        if (is_comment(content)) continue;
+        const bool head = line.front() == '*';
+        if (head && in_body) {
+            blocks.emplace_back();
+            blocks.back().text = {line_begin, 0};
+            blocks.back().line = cursor.line();
+        }
+        if (blocks.empty()) fail("a card before the first keyword", line);
+        if (head) blocks.back().heads.push_back(names_of_head(content));
+        in_body = !head;
+        LayoutBlock& block = blocks.back();
+        block.text = {block.text.data(), static_cast<std::size_t>(cursor.position() - block.text.data())};
+    }
+    return blocks;
+}
+
+std::vector<std::unique_ptr<KeywordLayout>>
+parse_layouts(std::string_view text, int line_number,
+              const std::function<const KeywordLayout*(std::string_view)>& find)
+{
+    LineCursor cursor(text, line_number);
+    LayoutParser parser(find);
     std::string_view line;
     try {
         while (cursor.next(line)) {
             const std::string_view content = trimmed(line);
-            if (content.empty() || content.front() == '#') continue;
+            if (is_comment(content)) continue;
             parser.line(line.front() == '*' ? trimmed(line) : line);
         }
         parser.finish();
+        return parser.take();
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(fmt::format("layout line {}: {}", cursor.line(), error.what()));
     }
