@@ -3,6 +3,7 @@
 #include "core/prescribed_rate.h"
 #include "core/run_error.h"
 #include "core/smallest_steps.h"
+#include "elements/collect_patches.h"
 #include "elements/initial_beam_stress.h"
 
 #include <cmath>
@@ -348,11 +349,15 @@ void BeamStore::report(EnergyLedger& ledger) const
 
 void BeamStore::collect(const State& state, ElementResults& results) const
 {
-    for (Index batch = 0; batch < patches.batch_count(); ++batch) {
-        for (int lane = 0; lane < patches.active_lanes(batch); ++lane) {
-            collect_element(state, batch, lane, results);
-            collect_motion(state, batch, lane, results);
-        }
+    const bool elements =
+        !results.beams.empty() || !results.beam_stress.empty() || !results.beam_deleted.empty();
+    const bool motion = !results.part_motion.empty();
+    if (elements || motion) {
+        collect_patches(patches, part, results,
+                        [&](const Patches::Patch&, Index batch, int lane, ElementResults::PartMotion& sum) {
+                            if (elements) collect_element(state, batch, lane, results);
+                            if (motion) collect_motion(state, batch, lane, sum);
+                        });
     }
     if (!results.part_motion.empty()) results.part_motion[part].eroded_internal += eroded_internal_;
     if (results.steps_wanted) collect_steps(state, results);
@@ -415,22 +420,15 @@ void BeamStore::collect_element(const State& state, Index batch, int lane, Eleme
     }
 }
 
-void BeamStore::collect_motion(const State& state, Index batch, int lane, ElementResults& results) const
+void BeamStore::collect_motion(const State& state, Index batch, int lane,
+                               ElementResults::PartMotion& motion) const
 {
-    if (results.part_motion.empty()) return;
     const double factor = record(batch)[beam_record::mass_factor][lane];
     if (factor == 0) return;
     const Index element = patches.elements[batch * lane_count + lane];
     const double mass = factor * mass_of(element).mass;
-    ElementResults::PartMotion& motion = results.part_motion[part];
-    for (int end = 0; end < 2; ++end) {
-        const Vec3& velocity = state.velocity[model.beams.nodes[element][end]];
-        motion.mass += mass;
-        motion.kinetic += 0.5 * mass * dot(velocity, velocity);
-        motion.momentum[0] += mass * velocity.x;
-        motion.momentum[1] += mass * velocity.y;
-        motion.momentum[2] += mass * velocity.z;
-    }
+    for (int end = 0; end < 2; ++end)
+        add_motion(mass, state.velocity[model.beams.nodes[element][end]], motion);
 }
 
 } // namespace plash

@@ -105,7 +105,7 @@ private:
     void check_finite() const;
     void collect_element(const State&, Index batch, int lane, ElementResults&) const;
     void collect_steps(const State&, ElementResults&) const;
-    void collect_motion(const State&, Index batch, int lane, ElementResults&) const;
+    void collect_motion(const State&, Index batch, int lane, ElementResults::PartMotion&) const;
 };
 
 } // namespace plash

@@ -2,6 +2,7 @@
 
 #include "core/run_error.h"
 #include "core/smallest_steps.h"
+#include "elements/collect_patches.h"
 #include "elements/result_layers.h"
 #include "elements/shell_mass.h"
 #include "math/tensor3.h"
@@ -295,12 +296,11 @@ void ShellStore::collect(const State& state, ElementResults& results) const
 {
     if (results.steps_wanted) collect_steps(state, results);
     section_watch.collect(patches, state, results);
-    for (Index batch = 0; batch < patches.batch_count(); ++batch) {
-        for (int lane = 0; lane < patches.active_lanes(batch); ++lane) {
-            collect_element(state, batch, lane, results);
-            collect_motion(state, batch, lane, results);
-        }
-    }
+    collect_patches(patches, part, results,
+                    [&](const Patches::Patch&, Index batch, int lane, ElementResults::PartMotion& sum) {
+                        collect_element(state, batch, lane, results);
+                        if (!results.part_motion.empty()) collect_motion(state, batch, lane, sum);
+                    });
     if (!results.part_motion.empty()) results.part_motion[part].eroded_internal += eroded_internal_;
 }
 
@@ -430,24 +430,16 @@ void ShellStore::collect_strains(const State& state, Index batch, int lane, Inde
     }
 }
 
-void ShellStore::collect_motion(const State& state, Index batch, int lane, ElementResults& results) const
+void ShellStore::collect_motion(const State& state, Index batch, int lane,
+                                ElementResults::PartMotion& motion) const
 {
-    if (results.part_motion.empty()) return;
     const double factor = record(batch)[shell_record::mass_factor][lane];
     if (factor == 0) return;
     const Index element = patches.elements[batch * lane_count + lane];
     const std::array<Index, 4> nodes = shell_corners(model, element);
     const ShellMass share = shell_mass(model, element, plate);
-    ElementResults::PartMotion& motion = results.part_motion[part];
-    for (int corner = 0; corner < 4; ++corner) {
-        const double mass = factor * share.corner_mass[corner];
-        const Vec3& velocity = state.velocity[nodes[corner]];
-        motion.mass += mass;
-        motion.kinetic += 0.5 * mass * dot(velocity, velocity);
-        motion.momentum[0] += mass * velocity.x;
-        motion.momentum[1] += mass * velocity.y;
-        motion.momentum[2] += mass * velocity.z;
-    }
+    for (int corner = 0; corner < 4; ++corner)
+        add_motion(factor * share.corner_mass[corner], state.velocity[nodes[corner]], motion);
 }
 
 } // namespace plash

@@ -108,7 +108,7 @@ private:
     void collect_strains(const State& state, Index batch, int lane, Index row, ElementResults& results) const;
     void collect_steps(const State& state, ElementResults& results) const;
     void collect_element(const State& state, Index batch, int lane, ElementResults& results) const;
-    void collect_motion(const State& state, Index batch, int lane, ElementResults& results) const;
+    void collect_motion(const State&, Index batch, int lane, ElementResults::PartMotion&) const;
 };
 
 } // namespace plash

@@ -2,6 +2,7 @@
 
 #include "core/run_error.h"
 #include "core/smallest_steps.h"
+#include "elements/collect_patches.h"
 #include "elements/solid_strain.h"
 
 #include <algorithm>
@@ -492,41 +493,37 @@ void SolidGroup::collect(const State& state, ElementResults& results) const
 {
     section_watch_.collect(patches_, state, results);
     if (!results.part_motion.empty()) results.part_motion[setup_.part].eroded_internal += eroded_internal_;
-    for_each_element([&](const Patches::Patch& patch, std::size_t place) {
-        const Lanes* history = &history_[place / lane_count * history_size_];
-        const int lane = static_cast<int>(place % lane_count);
-        if (results.steps_wanted) {
+    if (results.steps_wanted) {
+        for_each_element([&](const Patches::Patch&, std::size_t place) {
             add_step(results, {setup_.kind(), setup_.bricks().id[element_of(place)],
                                setup_.model.parts[setup_.part].id, first_step_[place]});
-        }
-        const Index row =
-            setup_.thick_shells ? none : results.row_of_solid(static_cast<Index>(element_of(place)));
-        const bool wanted = row != none;
-        collect_points(patch, place, state, results);
-        if (wanted && !results.solid_stress.empty()) {
-            results.solid_stress[row] = {history[0][lane], history[1][lane], history[2][lane],
-                                         history[3][lane], history[4][lane], history[5][lane]};
-        }
-        if (wanted && !results.solid_plastic_strain.empty()) {
-            results.solid_plastic_strain[row] =
-                plastic_strain_ < 0 ? 0 : history[point_history + plastic_strain_][lane];
-        }
-        if (wanted) collect_point_results(place, row, results);
-        if (wanted && !results.solid_deleted.empty()) results.solid_deleted[row] = !is_alive(place);
-        if (results.part_motion.empty() || !is_alive(place)) return;
-        auto& motion = results.part_motion[setup_.part];
-        const double mass = constant_of(place, mass_constant);
-        motion.mass += mass;
-        const Corners corners = distinct_corners(patch, place);
-        for (int i = 0; i < corners.count; ++i) {
-            const Vec3& velocity = state.velocity[corners.node[i]];
-            const double share = corners.share[i] * mass;
-            motion.kinetic += 0.5 * share * dot(velocity, velocity);
-            motion.momentum[0] += share * velocity.x;
-            motion.momentum[1] += share * velocity.y;
-            motion.momentum[2] += share * velocity.z;
-        }
-    });
+        });
+    }
+    collect_patches(
+        patches_, setup_.part, results,
+        [&](const Patches::Patch& patch, Index batch, int lane, ElementResults::PartMotion& motion) {
+            const std::size_t place = static_cast<std::size_t>(batch) * lane_count + lane;
+            const Lanes* history = history_of(batch);
+            const Index row =
+                setup_.thick_shells ? none : results.row_of_solid(static_cast<Index>(element_of(place)));
+            const bool wanted = row != none;
+            collect_points(patch, place, state, results);
+            if (wanted && !results.solid_stress.empty()) {
+                results.solid_stress[row] = {history[0][lane], history[1][lane], history[2][lane],
+                                             history[3][lane], history[4][lane], history[5][lane]};
+            }
+            if (wanted && !results.solid_plastic_strain.empty()) {
+                results.solid_plastic_strain[row] =
+                    plastic_strain_ < 0 ? 0 : history[point_history + plastic_strain_][lane];
+            }
+            if (wanted) collect_point_results(place, row, results);
+            if (wanted && !results.solid_deleted.empty()) results.solid_deleted[row] = !is_alive(place);
+            if (results.part_motion.empty() || !is_alive(place)) return;
+            const double mass = constant_of(place, mass_constant);
+            const Corners corners = distinct_corners(patch, place);
+            for (int i = 0; i < corners.count; ++i)
+                add_motion(corners.share[i] * mass, state.velocity[corners.node[i]], motion);
+        });
 }
 
 } // namespace plash

@@ -105,6 +105,97 @@ TEST(CrushableFoam, CrushesAlongItsCurveAndUnloadsElastically)
     EXPECT_NEAR(skew.stress.xy, -0.325, 1e-12);
 }
 
+namespace {
+
+/// Foam that crushes at a stress c, whatever its volume, with a Poisson's ratio.
+CrushableFoam even_foam(const Model& model)
+{
+    return CrushableFoam::from_record(
+        make_record("MAT_CRUSHABLE_FOAM", {{"RO", 1}, {"E", 50}, {"PR", 0.25}, {"LCID", 1}, {"TSC", 0.1}}),
+        model);
+}
+
+} // namespace
+
+/// Axes that do not turn: each principal stress follows Hooke's increments between -c and TSC by itself.
+/// E = 50 and nu = 0.25 make lambda = G = 20.
+TEST(CrushableFoam, UniaxialCycleWithLateralStress)
+{
+    Model model;
+    add_curve(model, {0, 1}, {0.5, 0.5});
+    const CrushableFoam foam = even_foam(model);
+    testing::DrivenPoint point(foam);
+    const auto strain = [&](double axial) { point.strain({axial, 0, 0, 0, 0, 0}, 10); };
+    strain(-0.005); // elastic: (lambda + 2 G) e, lambda e
+    EXPECT_NEAR(point.stress.xx, -60 * 0.005, 1e-12);
+    EXPECT_NEAR(point.stress.yy, -20 * 0.005, 1e-12);
+    strain(-0.01); // the axis crushes, the sides go on
+    EXPECT_NEAR(point.stress.xx, -0.5, 1e-12);
+    EXPECT_NEAR(point.stress.yy, -20 * 0.015, 1e-12);
+    strain(-0.02); // all crush
+    EXPECT_NEAR(point.stress.yy, -0.5, 1e-12);
+    strain(0.006); // unloads with the slopes of loading
+    EXPECT_NEAR(point.stress.xx, -0.5 + 60 * 0.006, 1e-12);
+    EXPECT_NEAR(point.stress.yy, -0.5 + 20 * 0.006, 1e-12);
+    strain(0.01); // the axis tears, the sides do not yet
+    EXPECT_NEAR(point.stress.xx, 0.1, 1e-12);
+    EXPECT_NEAR(point.stress.yy, -0.5 + 20 * 0.016, 1e-12);
+    strain(-0.002);
+    EXPECT_NEAR(point.stress.xx, 0.1 - 60 * 0.002, 1e-12);
+}
+
+/// Shear is tension and compression at 45 degrees: strains e and -e there, of 2 G = 40 each.
+TEST(CrushableFoam, ShearCycle)
+{
+    Model model;
+    add_curve(model, {0, 1}, {0.5, 0.5});
+    const CrushableFoam foam = even_foam(model);
+    testing::DrivenPoint point(foam);
+    const auto expect = [&](double pulled, double pressed) {
+        EXPECT_NEAR(point.stress.xy, 0.5 * (pulled - pressed), 1e-12);
+        EXPECT_NEAR(point.stress.xx, 0.5 * (pulled + pressed), 1e-12);
+        EXPECT_NEAR(point.stress.yy, 0.5 * (pulled + pressed), 1e-12);
+        EXPECT_NEAR(point.stress.zz, 0, 1e-12);
+    };
+    point.strain({0, 0, 0, 0.002, 0, 0}, 10);
+    expect(0.08, -0.08);
+    point.strain({0, 0, 0, 0.008, 0, 0}, 10);
+    expect(0.1, -0.4);
+    point.strain({0, 0, 0, 0.01, 0, 0}, 10);
+    expect(0.1, -0.5);
+    point.strain({0, 0, 0, -0.009, 0, 0}, 10); // back: both axes by 0.36
+    expect(0.1 - 0.36, -0.5 + 0.36);
+    point.strain({0, 0, 0, -0.02, 0, 0}, 10); // and through: they have changed places
+    expect(-0.5, 0.1);
+}
+
+/// 3 K = 100; the crushing stress grows with the volume strain 1 - V and stays where it was largest.
+TEST(CrushableFoam, VolumetricCycle)
+{
+    Model model;
+    add_curve(model, {0, 0.2}, {0.5, 1.5});
+    const CrushableFoam foam = even_foam(model);
+    testing::DrivenPoint point(foam);
+    const auto strain = [&](double linear) { point.strain({linear, linear, linear, 0, 0, 0}, 20); };
+    const auto crushing = [](double linear) { return 0.5 + 5 * (1 - std::exp(3 * linear)); };
+    strain(-0.004);
+    EXPECT_NEAR(point.stress.xx, -0.4, 1e-12);
+    strain(-0.016);
+    EXPECT_NEAR(point.stress.xx, -crushing(-0.02), 1e-12);
+    strain(0.003);
+    EXPECT_NEAR(point.stress.xx, -crushing(-0.02) + 0.3, 1e-12);
+    strain(0.03);
+    EXPECT_NEAR(point.stress.zz, 0.1, 1e-12);
+    strain(-0.005); // from the cut-off, not yet to the largest crushing stress
+    EXPECT_NEAR(point.stress.xx, 0.1 - 0.5, 1e-12);
+    strain(-0.006);
+    EXPECT_NEAR(point.stress.xx, -crushing(-0.02), 1e-12);
+    strain(-0.022);
+    EXPECT_NEAR(point.stress.yy, -crushing(-0.02), 1e-12); // back at the volume of before
+    strain(-0.01);
+    EXPECT_NEAR(point.stress.yy, -crushing(-0.03), 1e-12);
+}
+
 TEST(PrincipalAxesOfATensor, RebuildIt)
 {
     const SymmetricTensor<double> t{3, -1, 0.5, 0.7, -0.2, 1.1};
