@@ -1,5 +1,6 @@
 #include "elements/shell_groups.h"
 #include "elements/solid_groups.h"
+#include "tests/support/deck_run.h"
 #include "tests/support/shell_model.h"
 #include "tests/support/ten_node_block.h"
 #include "tests/support/thick_block.h"
@@ -233,6 +234,28 @@ TEST(StrainResults, BeginWhereTheDeckSays)
     for (auto& group : shell_groups) group->collect(shells, results);
     expect_strain(results.shell_strain[0][0], given, 1e-16);
     expect_strain(results.shell_strain[0][1], {}, 1e-16);
+}
+
+/// *INITIAL_STRAIN_SHELL_SET gives strains of the lower and the upper surface, unless T says otherwise.
+TEST(StrainResults, OfSetsOfShellsBeginWhereTheDeckSays)
+{
+    testing::DeckRun run("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*DATABASE_EXTENT_BINARY\n0,0,3,1\n"
+                         "*PART\nsheet\n1,1,1\n*SECTION_SHELL\n1,2,1.0,3\n0.1,0.1,0.1,0.1\n"
+                         "*MAT_ELASTIC\n1,1.0,1000.0,0.3\n"
+                         "*NODE\n1,0.0,0.0,0.0\n2,1.0,0.0,0.0\n3,2.0,0.0,0.0\n4,0.0,1.0,0.0\n5,1.0,1.0,0.0\n"
+                         "6,2.0,1.0,0.0\n*ELEMENT_SHELL\n7,1,1,2,5,4\n8,1,2,3,6,5\n"
+                         "*SET_SHELL_LIST\n9\n8\n"
+                         "*INITIAL_STRAIN_SHELL_SET\n9,,,0\n0.01,0.02,0.03,0.04,0.05,0.06\n"
+                         "-0.01,-0.02,-0.03,-0.04,-0.05,-0.06\n*END\n");
+    ElementResults results;
+    results.shell_strain.resize(2);
+    for (const auto& term : run.scene->terms) term->collect(run.scene->state, results);
+    const Strain outermost{-0.01, -0.02, -0.03, -0.04, -0.05, -0.06};
+    const double inside = std::sqrt(0.6); // of the Gauss points; the card speaks of the surfaces
+    for (int side : {0, 1}) {
+        expect_strain(results.shell_strain[0][side], {}, 0);
+        expect_strain(results.shell_strain[1][side], (side == 0 ? -inside : inside) * outermost, 1e-15);
+    }
 }
 
 /// *MAT_003 with kinematic hardening shows its back stress: the stress lies at the distance SIGY from it.
