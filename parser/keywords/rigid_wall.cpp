@@ -106,6 +106,8 @@ void read_planar_wall(const Record& record, const Block& block, Reading& reading
         wall.start_velocity = record.real("V0");
         if (!(wall.mass > 0)) reading.error(record, "MASS", "a moving wall needs a mass");
     }
+    if (record.peek("SOFT") && record.integer("SOFT") > 0)
+        reading.error(record, "SOFT", "stopping nodes over several cycles is not supported; leave it at 0");
     reading.model.rigid_walls.push_back(std::move(wall));
 }
 

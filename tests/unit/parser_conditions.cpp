@@ -94,8 +94,11 @@ TEST(ReadWalls, ShapesAndMotions)
         "*RIGIDWALL_PLANAR_ORTHO\n0\n0.0,0.0,0.0,0.0,0.0,1.0\n0.1,0.2,0.3,0.4,5.0,6.0\n0,0,1.0,0.0,0.0\n"
         "*RIGIDWALL_GEOMETRIC_SPHERE_MOTION\n5\n1.0,2.0,3.0\n2.5\n1,1,0.0,0.0,-2.0\n"
         "*RIGIDWALL_GEOMETRIC_CYLINDER\n0\n0.0,0.0,0.0,1.0,0.0,0.0\n1.5,4.0\n"
-        "*RIGIDWALL_GEOMETRIC_PRISM_DISPLAY\n0\n0.0,0.0,0.0,0.0,0.0,1.0\n0.0,1.0,0.0,1.0,2.0,3.0\n0\n");
-    ASSERT_EQ(model.rigid_walls.size(), 6u);
+        "*RIGIDWALL_GEOMETRIC_PRISM_DISPLAY\n0\n0.0,0.0,0.0,0.0,0.0,1.0\n0.0,1.0,0.0,1.0,2.0,3.0\n0\n"
+        "*RIGIDWALL_PLANAR_MOVING_FORCES\n0\n0.0,0.0,0.0,0.0,0.0,1.0\n9.0,-3.0\n0,0,1,2,3,4\n");
+    ASSERT_EQ(model.rigid_walls.size(), 7u);
+    EXPECT_DOUBLE_EQ(model.rigid_walls[6].mass, 9);
+    EXPECT_DOUBLE_EQ(model.rigid_walls[6].start_velocity, -3);
     const RigidWall& finite = model.rigid_walls[0];
     EXPECT_EQ(finite.id, 4);
     EXPECT_EQ(finite.shape, RigidWall::Shape::finite_plane);
