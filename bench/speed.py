@@ -66,36 +66,6 @@ def processor():
     return platform.processor()
 
 
-def roofline():
-    """What bench/roofline.cpp counts and measures; None where it has not been built (-DPLASH_BENCH=ON)."""
-    for folder in ("build/release/bench", "build/bench"):
-        program = os.path.join(TOP, folder, "plash_roofline")
-        if os.path.exists(program):
-            return json.loads(subprocess.run([program, "--json"], check=True, capture_output=True, text=True).stdout)
-    return None
-
-
-def write_roofline(rows, limits, file):
-    """Operations, bytes and the share of what one core allows, for the cases that have been counted."""
-    operations, memory = limits["operations_per_second"], limits["bytes_per_second"]
-    print("\nHow far that is from the machine (`plash_roofline`, bench/roofline.cpp, run just after): one core makes "
-          f"{1e-9 * operations:.0f} G\noperations and moves {1e-9 * memory:.0f} GB a second. Operations are counted "
-          "by running the kernels with a number that counts (sums and\nproducts + quotients and roots, of an element "
-          "whose points stay elastic, and of one whose points all yield); bytes are what a cycle\nhas to move where "
-          "no cache holds the mesh. The bound is the larger of elastic operations over the first rate and bytes over "
-          "the second.\n", file=file)
-    print("| case | operations, elastic | yielding | bytes | operations a byte | bound, us | share of it reached |",
-          file=file)
-    print("|---|---|---|---|---|---|---|", file=file)
-    for kernel in limits["kernels"]:
-        row = next(row for row in rows if row["name"] == kernel["name"])
-        simple, slow = kernel["elastic"], kernel["elastic_slow"]
-        bound = 1e6 * max((simple + slow) / operations, kernel["bytes"] / memory)
-        print(f"| {kernel['name']} | {simple} + {slow} | {kernel['yielding']} + {kernel['yielding_slow']} | "
-              f"{kernel['bytes']} | {(simple + slow) / kernel['bytes']:.1f} | {bound:.3f} | "
-              f"{100 * bound / row[1][0]:.0f} % |", file=file)
-
-
 def main():
     repetitions = int(sys.argv[1]) if len(sys.argv) > 1 else 3
     rows = []
@@ -116,10 +86,10 @@ def main():
                 row["bytes"] = runs[0]["peak_memory_bytes"] / elements
             rows.append(row)
             print(row)
-    write(rows, repetitions, roofline())
+    write(rows, repetitions)
 
 
-def write(rows, repetitions, limits):
+def write(rows, repetitions):
     page = os.path.join(TOP, "docs", "results", "speed.md")
     with open(page) as file:
         others = file.read().partition("\n## ")  # what other commands have measured stays
@@ -139,8 +109,6 @@ def write(rows, repetitions, limits):
                   f"{100 * row['balance']:.2f} % | {row['bytes']:.0f} |", file=file)
         print("\nThe peer is OpenRadioss 2026 with native vectors, measured on the same kind of machine: 20,480 to "
               "102,400\nquads with MAT_024 and 64,512 one-point hexes with MAT_003.", file=file)
-        if limits:
-            write_roofline(rows, limits, file)
         print(others[1] + others[2], end="", file=file)
 
 

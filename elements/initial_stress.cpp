@@ -166,6 +166,11 @@ InitialStresses initial_shell_strains(const Model& model)
     return read_strains(model, "INITIAL_STRAIN_SHELL", model.shells.id, model.shell_sets);
 }
 
+InitialStresses initial_thick_shell_strains(const Model& model)
+{
+    return read_strains(model, "INITIAL_STRAIN_TSHELL", model.thick_shells.id, model.thick_shell_sets);
+}
+
 InitialStressPoint mean_of(const InitialStress& stress)
 {
     InitialStressPoint mean;

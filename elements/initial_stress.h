@@ -30,10 +30,11 @@ InitialStresses initial_solid_stresses(const Model&);
 InitialStresses initial_shell_stresses(const Model&);
 InitialStresses initial_thick_shell_stresses(const Model&);
 
-/// *INITIAL_STRAIN_SOLID (_SET) and *INITIAL_STRAIN_SHELL, with strains in place of stresses: where the
+/// *INITIAL_STRAIN_SOLID (_SET), _SHELL (_SET) and _TSHELL, with strains in place of stresses: where the
 /// strains that result files show begin. Empty unless these are wanted (STRFLG).
 InitialStresses initial_solid_strains(const Model&);
 InitialStresses initial_shell_strains(const Model&);
+InitialStresses initial_thick_shell_strains(const Model&);
 
 /// Stress and plastic strain at a place through the thickness of column `column` of the points in a plane, by
 /// lines between the places that the deck gives; beyond the outermost ones their line goes on.

@@ -71,6 +71,7 @@ private:
                 };
                 start_law(element, lane, points, values);
                 put_initial_stress(element, lane, position, values);
+                put_initial_strain(element, lane, position, history + history_size() - 12);
             }
             std::copy_n(history, trial.size(), trial.begin());
             const auto result =
@@ -86,6 +87,30 @@ private:
         return thick_shell_frame(position).axes;
     }
 
+    /// The axes of an element at the start.
+    static Tensor3<double> axes_of(const SolidModes<Lanes>& position, int lane)
+    {
+        const auto of_lane = [&](const Vector3<Lanes>& v) { return Vec3{v.x[lane], v.y[lane], v.z[lane]}; };
+        SolidModes<double> one;
+        for (int i = 0; i < 3; ++i) one.linear[i] = of_lane(position.linear[i]);
+        for (int i = 0; i < 4; ++i) one.hourglass[i] = of_lane(position.hourglass[i]);
+        return axes_of(one);
+    }
+
+    /// *INITIAL_STRAIN_TSHELL, for result files.
+    /// strains  of the innermost and the outermost points, where the group keeps them
+    void put_initial_strain(Index element, int lane, const SolidModes<Lanes>& position, Lanes* strains)
+    {
+        if (!settings_.strains || !setup_.initial_strains) return;
+        const auto found = setup_.initial_strains->find(element);
+        if (found == setup_.initial_strains->end()) return;
+        for (const int side : {0, 1}) {
+            const double place = side == 0 ? settings_.rule.place.front() : settings_.rule.place.back();
+            put_stress(rotated(through_thickness(found->second, place, 0).stress, axes_of(position, lane)),
+                       strains + 6 * side, lane);
+        }
+    }
+
     /// *INITIAL_STRESS_TSHELL.
     template <class Values>
     void put_initial_stress(Index element, int lane, const SolidModes<Lanes>& position, Values&& values)
@@ -93,11 +118,7 @@ private:
         if (!setup_.initial_stresses) return;
         const auto found = setup_.initial_stresses->find(element);
         if (found == setup_.initial_stresses->end()) return;
-        const auto of_lane = [&](const Vector3<Lanes>& v) { return Vec3{v.x[lane], v.y[lane], v.z[lane]}; };
-        SolidModes<double> one;
-        for (int i = 0; i < 3; ++i) one.linear[i] = of_lane(position.linear[i]);
-        for (int i = 0; i < 4; ++i) one.hourglass[i] = of_lane(position.hourglass[i]);
-        const Tensor3<double> axes = axes_of(one);
+        const Tensor3<double> axes = axes_of(position, lane);
         for (int point = 0; point < settings_.columns * settings_.rule.size(); ++point) {
             const int column = point / settings_.rule.size(), layer = point % settings_.rule.size();
             const InitialStressPoint start =

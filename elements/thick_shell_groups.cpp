@@ -60,6 +60,8 @@ std::vector<std::unique_ptr<SolidGroup>> make_thick_shell_groups(const Model& mo
         elements[shells.part[element]].push_back(static_cast<Index>(element));
     const InitialStresses initial_stresses =
         shells.size() > 0 ? initial_thick_shell_stresses(model) : InitialStresses{};
+    const InitialStresses initial_strains =
+        shells.size() > 0 ? initial_thick_shell_strains(model) : InitialStresses{};
     std::vector<std::unique_ptr<SolidGroup>> groups;
     for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part) {
         if (elements[part].empty() || model.is_rigid(part)) continue;
@@ -73,6 +75,7 @@ std::vector<std::unique_ptr<SolidGroup>> make_thick_shell_groups(const Model& mo
             SolidSetup setup{model, part, std::move(members)};
             setup.thick_shells = true;
             setup.initial_stresses = &initial_stresses;
+            setup.initial_strains = &initial_strains;
             setup.connectivity.reserve(8 * setup.elements.size());
             for (Index element : setup.elements) {
                 const auto& nodes = shells.nodes[element];

@@ -258,6 +258,25 @@ TEST(StrainResults, OfSetsOfShellsBeginWhereTheDeckSays)
     }
 }
 
+/// *INITIAL_STRAIN_TSHELL likewise, whichever way the shell lies.
+TEST(StrainResults, OfThickShellsBeginWhereTheDeckSays)
+{
+    testing::DeckRun run("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*DATABASE_EXTENT_BINARY\n0,0,3,1\n"
+                         "*PART\nsheet\n1,1,1\n*SECTION_TSHELL\n1,1,1.0,3\n*MAT_ELASTIC\n1,1.0,1000.0,0.3\n"
+                         "*NODE\n1,0.0,0.0,0.0\n2,0.8,0.6,0.0\n3,0.2,1.4,0.0\n4,-0.6,0.8,0.0\n"
+                         "5,0.0,0.0,0.1\n6,0.8,0.6,0.1\n7,0.2,1.4,0.1\n8,-0.6,0.8,0.1\n"
+                         "*ELEMENT_TSHELL\n5,1,1,2,3,4,5,6,7,8\n"
+                         "*INITIAL_STRAIN_TSHELL\n5\n0.01,0.02,0.03,0.04,0.05,0.06\n"
+                         "-0.01,-0.02,-0.03,-0.04,-0.05,-0.06\n*END\n");
+    ElementResults results;
+    results.thick_shell_strain.resize(1);
+    for (const auto& term : run.scene->terms) term->collect(run.scene->state, results);
+    const Strain outermost{-0.01, -0.02, -0.03, -0.04, -0.05, -0.06};
+    const double inside = std::sqrt(0.6);
+    for (int side : {0, 1})
+        expect_strain(results.thick_shell_strain[0][side], (side == 0 ? -inside : inside) * outermost, 1e-15);
+}
+
 /// *MAT_003 with kinematic hardening shows its back stress: the stress lies at the distance SIGY from it.
 TEST(HistoryResults, OfKinematicHardeningAreTheBackStress)
 {
