@@ -165,7 +165,8 @@ void EulerianFluid::start(State& state)
 void EulerianFluid::add_forces(const Clock& clock, State& state)
 {
     if (!started_) start(state);
-    if (motion_.moves()) move_mesh(clock, state);
+    if (clock.relaxing) clear_outside();
+    if (motion_.moves() && !clock.relaxing) move_mesh(clock, state);
 }
 
 /// Places of the nodes that the mesh follows now.
@@ -240,8 +241,15 @@ std::array<double, 3> EulerianFluid::gravity(double time) const
     return {-sum.x, -sum.y, -sum.z};
 }
 
+void EulerianFluid::clear_outside()
+{
+    fluid_->outside_forces.clear();
+    fluid_->dry_faces.clear();
+}
+
 void EulerianFluid::after_motion(const Clock& clock, State& state)
 {
+    if (clock.relaxing) return;
     if (!boundary_.driven.empty()) {
         boundary_.follow(model_, clock.time, clock.step);
         fluid_->held = boundary_.held;
@@ -256,8 +264,7 @@ void EulerianFluid::after_motion(const Clock& clock, State& state)
     std::array<double, 3> distance = fluid_->lagrange.mesh_velocity;
     for (double& along : distance) along *= clock.step;
     fluid_->shift(distance);
-    fluid_->outside_forces.clear();
-    fluid_->dry_faces.clear();
+    clear_outside();
 }
 
 StepVote EulerianFluid::stable_step() const

@@ -20,9 +20,11 @@ public:
 
     std::string_view name() const override { return "Eulerian fluid"; }
     std::size_t items() const override { return fluid_->cell_count(); }
-    /// In the first cycle takes over the initial velocities of the State's nodes.
+    /// In the first cycle takes over the initial velocities of the State's nodes. In a phase before the run the
+    /// fluid stands still.
     void add_forces(const Clock& clock, State& state) override;
     void after_motion(const Clock& clock, State& state) override;
+    void begin_phase(bool /*relaxing*/, State& /*state*/) override { clear_outside(); }
     StepVote stable_step() const override;
     void report(EnergyLedger& ledger) const override;
     void serialise(Archive& archive) override;
@@ -35,6 +37,8 @@ public:
     BoxFluid& box() { return dynamic_cast<BoxFluid&>(*fluid_); }
     const MeshBlock& block() const { return block_; }
     const DeckGroups& groups() const { return groups_; }
+    /// Acceleration of the frame's loads on the fluid [acceleration].
+    std::array<double, 3> gravity(double time) const;
 
 private:
     const Model& model_;
@@ -51,6 +55,7 @@ private:
     bool started_ = false;
 
     void start(State& state);
+    void clear_outside();
     void find_ambient_cells();
     void find_loaded_nodes();
     void find_frame_loads();
@@ -58,7 +63,6 @@ private:
     void move_mesh(const Clock& clock, State& state);
     void deform_mesh(const Clock& clock, State& state);
     std::vector<Vec3> reference_nodes(const State& state, double time) const;
-    std::array<double, 3> gravity(double time) const;
     Index part_of_group(const DeckGroup& group) const;
     void collect_cells(ElementResults& results) const;
     void collect_nodes(ElementResults& results) const;

@@ -81,11 +81,11 @@ void RigidBodies::constrain(const Clock& clock, State& state)
 /// Bodies have moved on to the places of n+1 when a phase ends with step n: they go back.
 void RigidBodies::begin_phase(bool relaxing, State& state)
 {
-    if (relaxing) first_.clear();
+    const bool first_time = first_.size() < bodies_.size(); // a phase may come to rest more than once
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         RigidBody& body = bodies_[i];
         if (relaxing) {
-            first_.push_back({body.velocity, body.angular_velocity, body.angular_momentum});
+            if (first_time) first_.push_back({body.velocity, body.angular_velocity, body.angular_momentum});
             body.velocity = body.angular_velocity = body.angular_momentum = {};
         } else {
             body.center = body.shown_center;
@@ -96,6 +96,7 @@ void RigidBodies::begin_phase(bool relaxing, State& state)
         }
         if (!body.released) show_velocity(body, state);
     }
+    if (!relaxing) first_.clear();
 }
 
 /// The nodes get their masses back and go on with the velocities that the body gave them.

@@ -6,6 +6,7 @@
 #include "solver/relaxation_phase.h"
 #include "solver/restart.h"
 #include "solver/sense_switches.h"
+#include "solver/static_phase.h"
 #include "solver/step_control.h"
 #include "solver/terminations.h"
 
@@ -113,7 +114,9 @@ Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
     try {
         Requests requests;
         if (scene.model.controls.relaxation.active() && !restarted)
-            outcome.relaxation = relax(scene, recorders, options, outcome.term_seconds);
+            outcome.relaxation = asks_for_statics(scene.model)
+                                     ? find_equilibrium(scene, outcome.term_seconds)
+                                     : relax(scene, recorders, options, outcome.term_seconds);
         while (true) {
             sum_forces(scene, clock, step_control, outcome.term_seconds);
             constrain_forces(scene, clock, outcome.term_seconds);

@@ -36,6 +36,10 @@ struct RelaxationOutcome {
     double ratio = 0;         ///< kinetic energy of the distortion over its peak
     double lost_kinetic = 0;  ///< thrown away at its end [energy]
     double balance_error = 0; ///< of the phase, as EnergyLedger::balance_error
+    bool statics = false;     ///< an equilibrium was solved for (IDRFLG = 5); then these count:
+    double reference = 0;     ///< what accelerations are measured by [acceleration]
+    double first_acceleration = 0, last_acceleration = 0; ///< the largest, over the reference [-]
+    double last_angular = 0; ///< the largest of nodes that turn, by their radius of gyration [-]
 };
 
 /// How a run ended, and what it took.

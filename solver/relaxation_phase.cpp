@@ -3,6 +3,7 @@
 #include "conditions/relaxation.h"
 #include "core/run_error.h"
 #include "solver/cycle.h"
+#include "solver/first_velocities.h"
 #include "solver/motion.h"
 #include "solver/step_control.h"
 
@@ -12,31 +13,6 @@
 namespace plash {
 
 namespace {
-
-/// At rest for the phase, and back to the velocities of the start after it.
-class FirstVelocities {
-public:
-    FirstVelocities(Scene& scene) : scene_(scene)
-    {
-        State& state = scene.state;
-        velocity_ = state.velocity;
-        angular_velocity_ = state.angular_velocity;
-        std::fill(state.velocity.begin(), state.velocity.end(), Vec3{});
-        std::fill(state.angular_velocity.begin(), state.angular_velocity.end(), Vec3{});
-        for (const auto& term : scene.terms) term->begin_phase(true, state);
-    }
-    void restore()
-    {
-        scene_.state.velocity = std::move(velocity_);
-        scene_.state.angular_velocity = std::move(angular_velocity_);
-        for (const auto& term : scene_.terms) term->begin_phase(false, scene_.state);
-        scene_.ledger.start_anew();
-    }
-
-private:
-    Scene& scene_;
-    std::vector<Vec3> velocity_, angular_velocity_;
-};
 
 const Relaxation& damping_of(const Scene& scene)
 {

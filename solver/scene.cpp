@@ -118,9 +118,10 @@ bool asks_for_rigid_bodies(const Model& model)
 
 Scene make_scene(const Model& model)
 {
-    if (model.controls.relaxation.active() && has_eulerian_mesh(model)) {
-        throw DeckError(model.controls.relaxation.where,
-                        "dynamic relaxation is not supported beside an Eulerian mesh");
+    const RelaxationControls& relaxation = model.controls.relaxation;
+    if (relaxation.active() && !asks_for_statics(model) && has_eulerian_mesh(model)) {
+        throw DeckError(relaxation.where, "dynamic relaxation is not supported beside an Eulerian mesh; "
+                                          "IDRFLG = 5 solves for the equilibrium there");
     }
     Scene scene{model, {}, {}, {}, 0, {}};
     State& state = scene.state;

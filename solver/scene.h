@@ -22,6 +22,12 @@ struct Scene {
     MassSummary masses;
 };
 
+/// *CONTROL_DYNAMIC_RELAXATION IDRFLG = 5: the run begins in an equilibrium that is solved for.
+inline bool asks_for_statics(const Model& model)
+{
+    return model.controls.relaxation.flag == 5;
+}
+
 /// Builds the scene at t = 0: masses, terms, initial velocities. DeckError where the deck asks for physics
 /// that is not there or makes no sense. The Model must outlive the scene.
 Scene make_scene(const Model& model);

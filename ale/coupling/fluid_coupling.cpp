@@ -64,6 +64,8 @@ FluidCoupling::FluidCoupling(const Model& model, CouplingOptions options, Surfac
 {
     for (const DeckGroup& group : fluid.groups().groups)
         if (group.fluid != none) bulk_modulus_.push_back(reference_stiffness(group));
+    for (const Record& record : model.others)
+        hydrostatic_ = hydrostatic_ || record.keyword == "INITIAL_HYDROSTATIC_ALE";
 }
 
 /// Share of the coupled fluids half a cell before the surface: a surface that stands anywhere in its cell,
@@ -283,6 +285,40 @@ void FluidCoupling::correct_depth(double& depth, const Touch& touch, const Clock
         depth += options_.leak_control * (behind ? std::max(*behind, 0.0) : touch.excess);
 }
 
+/// Pressure of a fluid at rest on the surface at a point [pressure]: that of the cell before it, and along the
+/// surface's normal what the fluid weighs between the middle of the cell and the surface. Across the normal it
+/// stays that of the cell, for so it presses on the nodes of the mesh: fluid between surfaces along its faces
+/// is in balance to round-off.
+double FluidCoupling::pressure_before(const Touch& touch, const Vec3& gravity) const
+{
+    const Fluid& fluid = fluid_.fluid();
+    const double reach = 0.5 * length_along(fluid.edges(touch.place), touch.normal);
+    const Vec3 place = touch.position + reach * touch.normal;
+    const MeshPoint before = fluid.locate(place, touch.place.cell);
+    if (!before.inside) return 0;
+    const std::ptrdiff_t cell = fluid.place_of(before);
+    double filled = 0;
+    for (const GroupFields& group : fluid.fields.groups)
+        filled += group.fraction.empty() ? 1 : group.fraction[cell];
+    if (!(filled > 0)) return 0;
+    const std::array<Vec3, 3> edges = fluid.edges(before);
+    Vec3 middle = place;
+    for (int axis = 0; axis < 3; ++axis) middle += (0.5 - before.part[axis]) * edges[axis];
+    const double density = fluid.fields.total_mass()[cell] / (filled * fluid.volume_of(cell));
+    return fluid.fields.pressure[cell] + density * dot(gravity, touch.normal) *
+                                             dot(touch.position - middle, touch.normal);
+}
+
+/// The point carries the pressure of a fluid at rest: its spring starts as long as that takes.
+void FluidCoupling::rest_on(std::size_t point, const Vec3& gravity)
+{
+    Touch& touch = touches_[point];
+    touch.approach = {};
+    touch.pressing = touch.area * pressure_before(touch, gravity);
+    slip_[point] = {};
+    penetration_[point] = touch.stiffness > 0 ? touch.pressing / touch.stiffness : 0;
+}
+
 void FluidCoupling::stretch(std::size_t point, const Clock& clock)
 {
     Touch& touch = touches_[point];
@@ -419,8 +455,16 @@ void FluidCoupling::add_forces(const Clock& clock, State& state)
     list_active();
     find_dry_faces();
     limit_stiffness(state);
+    // A force by a curve over the penetration has no penetration of its own for every force.
+    const bool rests = clock.relaxing || (hydrostatic_ && clock.cycle == 0 && options_.pressure_curve == none);
+    const std::array<double, 3> gravity = fluid_.gravity(clock.time);
     for_chunks(active_.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t entry = begin; entry < end; ++entry) stretch(active_[entry], clock);
+        for (std::size_t entry = begin; entry < end; ++entry) {
+            if (rests)
+                rest_on(active_[entry], {gravity[0], gravity[1], gravity[2]});
+            else
+                stretch(active_[entry], clock);
+        }
     });
     if (options_.direction == Direction::compression) separate();
     for_chunks(active_.size(), [&](std::size_t begin, std::size_t end) {

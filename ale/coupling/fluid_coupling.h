@@ -73,6 +73,7 @@ private:
     InterfaceDepth interface_depth_;
     std::vector<Index> entry_; ///< of each node of the fluid among its outside forces, by storage place
     double work_on_structure_ = 0;
+    bool hydrostatic_ = false; ///< the fluid starts at rest under gravity
 
     bool is_near(std::size_t segment, const State& state) const;
     void find_near(const Clock& clock, const State& state);
@@ -84,6 +85,8 @@ private:
     void add_loads();
     void clear_loads();
     double needed_mass(const Touch& touch) const;
+    double pressure_before(const Touch& touch, const Vec3& gravity) const;
+    void rest_on(std::size_t point, const Vec3& gravity);
     void stretch(std::size_t point, const Clock& clock);
     void correct_depth(double& depth, const Touch& touch, const Clock& clock) const;
     void separate();

@@ -42,18 +42,18 @@ void read_timestep(const Record& record, const Block&, Reading& reading)
 }
 
 /// IDRFLG = -999: no dynamic relaxation; 0: if a curve asks for it (SIDR); 1: from the start; -1: the same
-/// with histories; 3 and -3: as 1 and -1, with the kinetic energy of some parts.
+/// with histories; 3 and -3: as 1 and -1, with the kinetic energy of some parts; 5: solve for the equilibrium.
 void read_relaxation(const Record& record, const Block&, Reading& reading)
 {
     RelaxationControls& relaxation = reading.model.controls.relaxation;
     relaxation.where = record.where;
     relaxation.flag = whole(record, "IDRFLG");
-    constexpr int known[] = {-999, -3, -1, 0, 1, 3};
+    constexpr int known[] = {-999, -3, -1, 0, 1, 3, 5};
     if (std::find(std::begin(known), std::end(known), relaxation.flag) == std::end(known)) {
         reading.error(
             record, "IDRFLG",
             fmt::format("{} is not supported; 1 and 3 (-1, -3) relax explicitly, 0 if a curve asks for "
-                        "it, -999 never",
+                        "it, 5 solves for the equilibrium, -999 never",
                         relaxation.flag));
     }
     relaxation.check_cycles = record.integer("NRCYCK") == 0 ? 250 : whole(record, "NRCYCK");
