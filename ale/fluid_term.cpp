@@ -63,7 +63,7 @@ EulerianFluid::EulerianFluid(const Model& model, MeshBlock block, DeckGroups gro
     fluid_->close_curved_walls();
     fluid_->outside_pressure = settings.outside_pressure;
     fill_initial_state(*fluid_, block_, groups_, model);
-    set_hydrostatic_state(*fluid_, block_, groups_, model);
+    hydrostatic_ = set_hydrostatic_state(*fluid_, block_, groups_, model);
     if (settings.conserve_total_energy) fluid_->conserve_total_energy();
     find_ambient_cells();
     find_loaded_nodes();
@@ -260,7 +260,10 @@ void EulerianFluid::after_motion(const Clock& clock, State& state)
         fluid_->outside_pressure =
             curve_value(model_, outside_pressure_curve_, clock.time + 0.5 * clock.step);
     if (motion_.deforms()) deform_mesh(clock, state);
-    fluid_->advance(clock.step, clock.velocity_step());
+    // The velocity step of the first cycle is half a step, but what holds a fluid at rest acts as long as its
+    // pressure does.
+    const bool held_at_rest = hydrostatic_ && clock.last_step == 0;
+    fluid_->advance(clock.step, held_at_rest ? clock.step : clock.velocity_step());
     std::array<double, 3> distance = fluid_->lagrange.mesh_velocity;
     for (double& along : distance) along *= clock.step;
     fluid_->shift(distance);

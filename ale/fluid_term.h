@@ -53,6 +53,7 @@ private:
     std::vector<std::size_t> loaded_nodes_; ///< of the mesh, on which loads of the deck act
     std::vector<const BodyLoad*> frame_loads_;
     bool started_ = false;
+    bool hydrostatic_; ///< it starts at rest, and so does what is coupled with it
 
     void start(State& state);
     void clear_outside();

@@ -217,10 +217,12 @@ double density_at_pressure(const FluidGroup& fluid, double pressure, double ener
     return density;
 }
 
-void set_hydrostatic_state(Fluid& fluid, const MeshBlock& block, const DeckGroups& groups, const Model& model)
+bool set_hydrostatic_state(Fluid& fluid, const MeshBlock& block, const DeckGroups& groups, const Model& model)
 {
+    bool any = false;
     for (const Record& record : model.others) {
         if (record.keyword != "INITIAL_HYDROSTATIC_ALE" || !applies(model, record, block)) continue;
+        any = true;
         const Still still = still_of(model, record, groups);
         const Profile profile(fluid, still, groups);
         const bool mixed = !fluid.fields.groups[0].fraction.empty();
@@ -230,7 +232,9 @@ void set_hydrostatic_state(Fluid& fluid, const MeshBlock& block, const DeckGroup
             for (const GroupFields& group : fluid.fields.groups)
                 if (mixed) filled += group.fraction[cell.place];
             const CellDepth depth = depth_of(cell, still);
-            const double pressure = profile.at(filled < 1 ? depth.half_height : depth.middle);
+            // Cells below the surface that are not full end at structures, which press as the water would.
+            const bool at_surface = filled < 1 && depth.middle < depth.half_height;
+            const double pressure = profile.at(at_surface ? depth.half_height : depth.middle);
             for (const DeckGroup& group : groups.groups) {
                 if (group.fluid == none) continue;
                 const double share = mixed ? fluid.fields.groups[group.fluid].fraction[cell.place] : 1;
@@ -240,6 +244,7 @@ void set_hydrostatic_state(Fluid& fluid, const MeshBlock& block, const DeckGroup
             }
         }
     }
+    return any;
 }
 
 } // namespace plash

@@ -66,6 +66,7 @@ FluidCoupling::FluidCoupling(const Model& model, CouplingOptions options, Surfac
         if (group.fluid != none) bulk_modulus_.push_back(reference_stiffness(group));
     for (const Record& record : model.others)
         hydrostatic_ = hydrostatic_ || record.keyword == "INITIAL_HYDROSTATIC_ALE";
+    if (hydrostatic_) rest_depth_.resize(points_.size());
 }
 
 /// Share of the coupled fluids half a cell before the surface: a surface that stands anywhere in its cell,
@@ -139,6 +140,7 @@ void FluidCoupling::list_active()
     for (const Index point : active_) {
         if (touches_[point].active) continue;
         penetration_[point] = 0;
+        if (!rest_depth_.empty()) rest_depth_[point] = 0;
         slip_[point] = force_[point] = {};
     }
     active_.clear();
@@ -148,7 +150,7 @@ void FluidCoupling::list_active()
 
 void FluidCoupling::serialise(Archive& archive)
 {
-    archive(penetration_, slip_, force_, cell_, work_on_structure_);
+    archive(penetration_, rest_depth_, slip_, force_, cell_, work_on_structure_);
     if (!archive.loading()) return;
     active_.clear();
     for (std::size_t point = 0; point < points_.size(); ++point)
@@ -175,11 +177,14 @@ void FluidCoupling::look(std::size_t point, const State& state)
     if (fraction_before(touch) < least) return;
 
     touch.at = fluid.node_weights(at);
-    double filled = 0, density = 0;
+    double filled = 0, density = 0, heaviest = 0;
+    for (const std::ptrdiff_t place : touch.at.place)
+        heaviest = std::max(heaviest, fluid.fields.node_mass[place]);
+    // Nodes with next to nothing bear no spring, and would make that of the others as weak as they are.
+    const double least_mass = 1e-4 * heaviest;
     for (int corner = 0; corner < 8; ++corner) {
         double& weight = touch.at.weight[corner];
-        const std::ptrdiff_t place = touch.at.place[corner];
-        if (!(fluid.fields.node_mass[place] > 0)) weight = 0;
+        if (!(fluid.fields.node_mass[touch.at.place[corner]] > least_mass)) weight = 0;
         filled += weight;
     }
     if (filled < 1e-6) return;
@@ -266,16 +271,24 @@ void FluidCoupling::limit_stiffness(const State& state)
         for_corners(point, [&](Index node, double) { structure_load_[node] = 0; });
 }
 
+/// How far fluid stands behind the surface at a point as the volumes say, where they say anything [length].
+std::optional<double> FluidCoupling::depth_behind(const Touch& touch) const
+{
+    if (present_.empty()) return {};
+    return interface_depth_.behind(fluid_.fluid(), {touch.place, touch.position, touch.normal},
+                                   options_.fluids);
+}
+
 /// Penetrations tend to what the volumes of the fluid say: in the time in which sound crosses 50 cells where
 /// the fluid stands further behind, and ten times as slowly where it stands less far, so that the pressures
 /// of an impact stay. A surface neither pulls a fluid that has not come up to it, nor lets one go that it
 /// pulls.
-void FluidCoupling::correct_depth(double& depth, const Touch& touch, const Clock& clock) const
+void FluidCoupling::correct_depth(std::size_t point, const Clock& clock)
 {
-    std::optional<double> behind;
-    if (!present_.empty())
-        behind = interface_depth_.behind(fluid_.fluid(), {touch.place, touch.position, touch.normal},
-                                         options_.fluids);
+    const Touch& touch = touches_[point];
+    double& depth = penetration_[point];
+    std::optional<double> behind = depth_behind(touch);
+    if (behind && !rest_depth_.empty()) *behind += rest_depth_[point];
     if (behind) {
         const double wanted = depth > 0 ? std::max(*behind, 0.0) : std::min(*behind, 0.0);
         const double cells_of_sound = wanted > depth ? 50 : 500;
@@ -317,6 +330,7 @@ void FluidCoupling::rest_on(std::size_t point, const Vec3& gravity)
     touch.pressing = touch.area * pressure_before(touch, gravity);
     slip_[point] = {};
     penetration_[point] = touch.stiffness > 0 ? touch.pressing / touch.stiffness : 0;
+    if (!rest_depth_.empty()) rest_depth_[point] = penetration_[point] - depth_behind(touch).value_or(0);
 }
 
 void FluidCoupling::stretch(std::size_t point, const Clock& clock)
@@ -331,7 +345,7 @@ void FluidCoupling::stretch(std::size_t point, const Clock& clock)
     const double normal_speed = dot(touch.approach, touch.normal);
     double& depth = penetration_[point];
     depth += normal_speed * clock.last_step;
-    correct_depth(depth, touch, clock);
+    correct_depth(point, clock);
     touch.pressing = touch.stiffness * depth + touch.damper * normal_speed;
     if (options_.pressure_curve != none)
         touch.pressing = touch.area * curve_value(model_, options_.pressure_curve, depth);

@@ -6,6 +6,7 @@
 #include "core/term.h"
 
 #include <memory>
+#include <optional>
 
 namespace plash {
 
@@ -57,6 +58,9 @@ private:
 
     std::vector<Touch> touches_;
     std::vector<double> penetration_;      ///< of each point along its normal [length]
+    /// Of points that started with the pressure of a fluid at rest, how much deeper they were then than the
+    /// volumes of the fluid say [length]; empty without a hydrostatic start.
+    std::vector<double> rest_depth_;
     std::vector<Vec3> slip_;               ///< and across it, where that is held [length]
     std::vector<Vec3> force_;              ///< on the structure at each point at t_n [force]
     std::vector<std::array<int, 3>> cell_; ///< where each point was last
@@ -88,7 +92,8 @@ private:
     double pressure_before(const Touch& touch, const Vec3& gravity) const;
     void rest_on(std::size_t point, const Vec3& gravity);
     void stretch(std::size_t point, const Clock& clock);
-    void correct_depth(double& depth, const Touch& touch, const Clock& clock) const;
+    std::optional<double> depth_behind(const Touch& touch) const;
+    void correct_depth(std::size_t point, const Clock& clock);
     void separate();
     void press(std::size_t point, const Clock& clock);
     void find_dry_faces();
