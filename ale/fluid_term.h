@@ -20,8 +20,8 @@ public:
 
     std::string_view name() const override { return "Eulerian fluid"; }
     std::size_t items() const override { return fluid_->cell_count(); }
-    /// In the first cycle takes over the initial velocities of the State's nodes. In a phase before the run the
-    /// fluid stands still.
+    /// In the first cycle takes over the initial velocities of the State's nodes. In a phase before the run
+    /// the fluid stands still.
     void add_forces(const Clock& clock, State& state) override;
     void after_motion(const Clock& clock, State& state) override;
     void begin_phase(bool /*relaxing*/, State& /*state*/) override { clear_outside(); }

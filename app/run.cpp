@@ -231,10 +231,11 @@ int run_deck(const RunArguments& arguments)
     const Outcome outcome = run(
         *scene, recorders, {end_time, &stop_requested, {directory, arguments.restart_minutes}, restart_from});
     if (const RelaxationOutcome& relaxation = outcome.relaxation; relaxation.statics) {
-        log.say(fmt::format("static start {}: largest acceleration {:.2e} of {:.4g}, {:.2e} before; {} sums of "
-                            "forces",
-                            relaxation.converged ? "found" : "not found", relaxation.last_acceleration,
-                            relaxation.reference, relaxation.first_acceleration, relaxation.cycles));
+        log.say(
+            fmt::format("static start {}: largest acceleration {:.2e} of {:.4g}, {:.2e} before; {} sums of "
+                        "forces",
+                        relaxation.converged ? "found" : "not found", relaxation.last_acceleration,
+                        relaxation.reference, relaxation.first_acceleration, relaxation.cycles));
     } else if (relaxation.ran) {
         log.say(
             fmt::format("dynamic relaxation {} after {} cycles at t = {:.6e}: kinetic energy {:.3e} of its "

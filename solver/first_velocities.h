@@ -13,9 +13,7 @@ namespace plash {
 class FirstVelocities {
 public:
     explicit FirstVelocities(Scene& scene)
-        : scene_(scene),
-          velocity_(scene.state.velocity),
-          angular_velocity_(scene.state.angular_velocity)
+        : scene_(scene), velocity_(scene.state.velocity), angular_velocity_(scene.state.angular_velocity)
     {
         rest();
     }

@@ -11,6 +11,7 @@
 #include "solver/motion.h"
 #include "solver/step_control.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include <kinsol/kinsol.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_spgmr.h>
+#include <unistd.h>
 
 namespace plash {
 
@@ -68,10 +70,10 @@ private:
 /// A node that may move, with three translations and, with an inertia, three rotations among the unknowns.
 struct Freedom {
     Index node;
-    double mass;         ///< of nodes of a rigid body an equal share of the body's [mass]
-    double inertia = 0;  ///< [mass length^2]
-    double gyration = 0; ///< radius; rotations count by the length of their way there [length]
-    std::size_t first;   ///< of its unknowns
+    double mass;                     ///< of nodes of a rigid body an equal share of the body's [mass]
+    double inertia = 0;              ///< [mass length^2]
+    double gyration = 0;             ///< radius; rotations count by the length of their way there [length]
+    std::size_t first;               ///< of its unknowns
     const RigidBody* body = nullptr; ///< that carries it
 };
 
@@ -193,8 +195,7 @@ private:
             state.force[freedom.node] = (freedom.mass * rate) * Vec3{u[0], u[1], u[2]};
             for (int i = 0; i < 3; ++i) moves = moves || u[i] != 0;
             if (freedom.inertia == 0) continue;
-            state.moment[freedom.node] =
-                (freedom.inertia * rate / freedom.gyration) * Vec3{u[3], u[4], u[5]};
+            state.moment[freedom.node] = (freedom.inertia * rate / freedom.gyration) * Vec3{u[3], u[4], u[5]};
             for (int i = 3; i < 6; ++i) moves = moves || u[i] != 0;
         }
         if (!moves) return;
@@ -251,8 +252,8 @@ int residual(N_Vector displacement, N_Vector result, void* data)
 }
 
 /// Derivative along a direction by a central difference over a displacement that is small against everything
-/// in the scene. A one-sided difference would not do: the stretching of a plate that bends is of second order,
-/// but so much stiffer than its bending that GMRES could not tell the softest modes from the error.
+/// in the scene. A one-sided difference would not do: the stretching of a plate that bends is of second
+/// order, but so much stiffer than its bending that GMRES could not tell the softest modes from the error.
 int derivative(N_Vector direction, N_Vector result, N_Vector displacement, booleantype*, void* data)
 {
     Problem& problem = *static_cast<Problem*>(data);
@@ -363,9 +364,13 @@ RelaxationOutcome find_equilibrium(Scene& scene, std::vector<double>& term_secon
         const int flag = newton.solve();
         if (flag < 0 && !problem.failure.empty())
             throw RunError(fmt::format("static start: a trial ended with an error: {}", problem.failure));
-        std::copy(newton.place(), newton.place() + place.size(), place.begin());
         outcome.first_acceleration = largest / outcome.reference;
+        std::copy(newton.place(), newton.place() + place.size(), place.begin());
         trials.accelerations(place.data(), there.data());
+        if (!(largest_of(trials, there.data(), 0, 3) < largest)) { // nothing is better than the start
+            std::fill(place.begin(), place.end(), 0.0);
+            trials.accelerations(place.data(), there.data());
+        }
         outcome.last_acceleration = largest_of(trials, there.data(), 0, 3) / outcome.reference;
         outcome.last_angular = largest_of(trials, there.data(), 3, 6) / outcome.reference;
     }

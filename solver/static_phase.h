@@ -4,9 +4,10 @@
 
 namespace plash {
 
-/// Static start (*CONTROL_DYNAMIC_RELAXATION IDRFLG = 5): moves the nodes of a scene that has just been set up
-/// to where nothing is accelerated, with the loads that act while relaxing as they are at DRTERM. Leaves the
-/// state with the places and stresses found, the velocities of the start, and an energy book that begins anew.
+/// Static start (*CONTROL_DYNAMIC_RELAXATION IDRFLG = 5): moves the nodes of a scene that has just been set
+/// up to where nothing is accelerated, with the loads that act while relaxing as they are at DRTERM. Leaves
+/// the state with the places and stresses found, the velocities of the start, and an energy book that begins
+/// anew.
 ///
 /// Newton's method with GMRES (SUNDIALS' KINSOL; Hindmarsh et al. 2005, ACM Trans. Math. Softw. 31, 363-396;
 /// Brown & Saad 1990, SIAM J. Sci. Stat. Comput. 11, 450-481). Unknown are displacements, and the residual is

@@ -298,10 +298,10 @@ void FluidCoupling::correct_depth(std::size_t point, const Clock& clock)
         depth += options_.leak_control * (behind ? std::max(*behind, 0.0) : touch.excess);
 }
 
-/// Pressure of a fluid at rest on the surface at a point [pressure]: that of the cell before it, and along the
-/// surface's normal what the fluid weighs between the middle of the cell and the surface. Across the normal it
-/// stays that of the cell, for so it presses on the nodes of the mesh: fluid between surfaces along its faces
-/// is in balance to round-off.
+/// Pressure of a fluid at rest on the surface at a point [pressure]: that of the cell before it, and along
+/// the surface's normal what the fluid weighs between the middle of the cell and the surface. Across the
+/// normal it stays that of the cell, for so it presses on the nodes of the mesh: fluid between surfaces along
+/// its faces is in balance to round-off.
 double FluidCoupling::pressure_before(const Touch& touch, const Vec3& gravity) const
 {
     const Fluid& fluid = fluid_.fluid();
@@ -318,8 +318,8 @@ double FluidCoupling::pressure_before(const Touch& touch, const Vec3& gravity) c
     Vec3 middle = place;
     for (int axis = 0; axis < 3; ++axis) middle += (0.5 - before.part[axis]) * edges[axis];
     const double density = fluid.fields.total_mass()[cell] / (filled * fluid.volume_of(cell));
-    return fluid.fields.pressure[cell] + density * dot(gravity, touch.normal) *
-                                             dot(touch.position - middle, touch.normal);
+    return fluid.fields.pressure[cell] +
+           density * dot(gravity, touch.normal) * dot(touch.position - middle, touch.normal);
 }
 
 /// The point carries the pressure of a fluid at rest: its spring starts as long as that takes.
@@ -470,7 +470,8 @@ void FluidCoupling::add_forces(const Clock& clock, State& state)
     find_dry_faces();
     limit_stiffness(state);
     // A force by a curve over the penetration has no penetration of its own for every force.
-    const bool rests = clock.relaxing || (hydrostatic_ && clock.cycle == 0 && options_.pressure_curve == none);
+    const bool rests =
+        clock.relaxing || (hydrostatic_ && clock.cycle == 0 && options_.pressure_curve == none);
     const std::array<double, 3> gravity = fluid_.gravity(clock.time);
     for_chunks(active_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t entry = begin; entry < end; ++entry) {

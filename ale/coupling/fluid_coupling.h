@@ -57,7 +57,7 @@ private:
     std::vector<double> bulk_modulus_; ///< of each fluid at reference density [pressure]
 
     std::vector<Touch> touches_;
-    std::vector<double> penetration_;      ///< of each point along its normal [length]
+    std::vector<double> penetration_; ///< of each point along its normal [length]
     /// Of points that started with the pressure of a fluid at rest, how much deeper they were then than the
     /// volumes of the fluid say [length]; empty without a hydrostatic start.
     std::vector<double> rest_depth_;

@@ -42,7 +42,8 @@ void read_timestep(const Record& record, const Block&, Reading& reading)
 }
 
 /// IDRFLG = -999: no dynamic relaxation; 0: if a curve asks for it (SIDR); 1: from the start; -1: the same
-/// with histories; 3 and -3: as 1 and -1, with the kinetic energy of some parts; 5: solve for the equilibrium.
+/// with histories; 3 and -3: as 1 and -1, with the kinetic energy of some parts; 5: solve for the
+/// equilibrium.
 void read_relaxation(const Record& record, const Block&, Reading& reading)
 {
     RelaxationControls& relaxation = reading.model.controls.relaxation;

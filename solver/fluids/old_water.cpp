@@ -94,10 +94,6 @@ void OldWater::check_conditions(FluidForm form) const
                                 fmt::format("damping of part {} has no counterpart in an Eulerian "
                                             "mesh",
                                             model_.parts[part].id));
-    for (const Record& record : model_.others)
-        if (record.keyword.starts_with("INITIAL_HYDROSTATIC"))
-            throw DeckError(record.where, fmt::format("*{} has no counterpart in --fluid {}", record.keyword,
-                                                      to_string(form)));
     for (const Termination& termination : model_.terminations)
         if (termination.kind == Termination::Kind::contact)
             throw DeckError(termination.where,
