@@ -439,7 +439,7 @@ TEST(AleDeck, HydrostaticStartOfDistortedHexahedraIsAtRest)
 }
 
 // Open: where the surface passes cells that bulge, their fractions are not the shares of their heights that
-// are wet. Measured 0.0025 g.
+// are wet. Measured 0.0025 g; the best pressures of these cells leave 0.0018 g.
 TEST(AleDeck, DISABLED_HydrostaticStartInDistortedHexahedraIsAtRest)
 {
     EXPECT_LT(unrest_of_hexahedra(0, 0.05).acceleration, 1e-4 * 9.81);
