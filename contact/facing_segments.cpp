@@ -2,6 +2,7 @@
 
 #include "contact/bounding_tree.h"
 #include "contact/closest_point.h"
+#include "contact/mean_normal.h"
 #include "core/parallel.h"
 
 #include <algorithm>
@@ -15,6 +16,9 @@ namespace plash {
 namespace {
 
 using PressFacet = ContactMesh::Facet;
+
+/// Angle to its neighbours below which a facet counts as flat.
+constexpr double flat_bend = 0.05;
 
 SegmentOverlap::Corners corners_of(const ContactMotion& motion, const PressFacet& facet)
 {
@@ -206,7 +210,6 @@ void FacingSegments::find_sharp_nodes(const ContactMotion& motion)
 /// much it is bent against those around it; the fourth power of it.
 void FacingSegments::find_standing(const ContactMotion& motion)
 {
-    constexpr double even = 0.05; // angle below which a facet counts as flat
     constexpr int rings = 4;
     std::vector<int> ring(mesh_.nodes.size(), rings);
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -223,17 +226,23 @@ void FacingSegments::find_standing(const ContactMotion& motion)
         }
     }
     standing_.resize(mesh_.facets.size());
+    bend_.resize(mesh_.facets.size());
     std::vector<Vec3> normal;
     for (std::size_t i = 0; i < standing_.size(); ++i)
         normal.push_back(normal_of(motion, static_cast<Index>(i)));
     for (std::size_t i = 0; i < standing_.size(); ++i) {
         const double extent = (least(mesh_.facets[i]) + 0.25) * mesh_.facets[i].size;
         const Vec3& own = normal[i];
-        double bend2 = 0; // square of the largest angle
-        for (const Index corner : mesh_.facets[i].corner)
-            for (const Index other : mesh_.facets_at_node(corner))
-                bend2 = std::max(bend2, 2 - 2 * std::abs(dot(own, normal[other])));
-        const double flat = extent * extent / (bend2 + even * even);
+        double bend2 = 0, going_on2 = 0; // squares of the largest angles
+        for (const Index corner : mesh_.facets[i].corner) {
+            for (const Index other : mesh_.facets_at_node(corner)) {
+                const double along = std::abs(dot(own, normal[other]));
+                bend2 = std::max(bend2, 2 - 2 * along);
+                if (facing_weight(along) > 0) going_on2 = std::max(going_on2, 2 - 2 * along);
+            }
+        }
+        bend_[i] = std::sqrt(going_on2);
+        const double flat = extent * extent / (bend2 + flat_bend * flat_bend);
         standing_[i] = flat * flat;
     }
 }
@@ -389,7 +398,6 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, const Fa
     if (!touching(touch.penetration)) return false;
     const double distance = gap - touch.penetration;
     const double weight = facing_weight(std::abs(candidate.along));
-    const double first_standing = standing_[pair.first], second_standing = standing_[pair.second];
     touch.first = pair.first;
     touch.second = pair.second;
     touch.normal = normal;
@@ -416,34 +424,57 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, const Fa
         touch.baseline = std::max(0.0, not_deeper - 1.5 * approach);
         touch.rounding = approach;
     }
-    // By the area that the facet had at the start: a face that is stretched or tilted under load is no
-    // stiffer.
-    const double share = second_standing / (first_standing + second_standing);
-    const double area = share * a.size * a.size / overlap.first_area() +
-                        (1 - share) * b.size * b.size / overlap.second_area();
-    apply_law(motion, area * areal_stiffness(pair.first, pair.second, step), overlap, touch);
+    apply_law(motion, areal_stiffness(pair.first, pair.second, step), overlap, touch);
     return true;
 }
 
-/// Shares and forces of a touch.
+/// What share of the forces across the normal two facets give to one another: all where one of them is bent
+/// against its neighbours. Where both are flat, these forces cancel between neighbours but for the rim, where
+/// they would squeeze a sheet under a constant pressure (docs/theory/contact.md).
+double FacingSegments::lateral_share(Index a, Index b) const
+{
+    const double flat = flat_bend * flat_bend;
+    const double bend = std::max(bend_[a], bend_[b]);
+    const double of_flat = flat / (bend * bend + flat);
+    const double share = 1 - of_flat * of_flat;
+    return share > 1e-6 ? share : 0;
+}
+
+/// Forces of a touch: those of its energy, with damping and friction at the pressure's shares of the corners.
 void FacingSegments::apply_law(const ContactMotion& motion, double stiffness, const SegmentOverlap& overlap,
                                FacingTouch& touch) const
 {
     const PressFacet &a = mesh_.facets[touch.first], &b = mesh_.facets[touch.second];
-    const auto load = overlap.load({touch.weight * stiffness, touch.baseline, touch.rounding});
-    touch.on_first = load.first;
-    touch.on_second = load.second;
+    const double first_standing = standing_[touch.first], second_standing = standing_[touch.second];
+    SegmentOverlap::Law law{touch.weight * stiffness, touch.baseline, touch.rounding};
+    law.first_size = a.size * a.size;
+    law.second_size = b.size * b.size;
+    law.first_share = second_standing / (first_standing + second_standing);
+    law.lateral = lateral_share(touch.first, touch.second);
+    const auto load = overlap.load(law);
+    touch.first_share = load.first;
+    touch.second_share = load.second;
+    touch.on_first = load.on_first;
+    touch.on_second = load.on_second;
     touch.area = load.area;
-    touch.stiffness = touch.weight * stiffness * load.area;
+    touch.stiffness = load.stiffness;
+    if (load.force > 0 && law.lateral > 0) {
+        const auto at_a = corners_of(motion, a), at_b = corners_of(motion, b);
+        const auto sided = [&](Index facet) {
+            return std::copysign(standing_[facet], dot(normal_of(motion, facet), touch.normal));
+        };
+        MeanNormal(at_a, sided(touch.first), at_b, sided(touch.second))
+            .add_turning(load.moment, touch.on_first, touch.on_second);
+    }
     const Vec3 velocity =
         at_shares(load.first, a, motion.velocity) - at_shares(load.second, b, motion.velocity);
     const double closing = -dot(velocity, touch.normal);
-    double pressing = load.force;
-    if (pressing > 0 && options_.damping > 0) {
+    touch.pressing = load.force;
+    if (load.force > 0 && options_.damping > 0) {
         const double damping =
             damping_coefficient(options_.damping, touch.stiffness, area_mass_[touch.first] * load.area,
                                 area_mass_[touch.second] * load.area);
-        pressing = std::max(0.0, pressing + damping * closing);
+        touch.pressing = std::max(0.0, load.force + damping * closing);
     }
     const Friction friction = friction_of(touch.first, touch.second);
     const Vec3 slip = motion.last_step * (velocity + closing * touch.normal);
@@ -451,11 +482,17 @@ void FacingSegments::apply_law(const ContactMotion& motion, double stiffness, co
     touch.friction = {};
     if (friction.any()) {
         const double speed = motion.last_step > 0 ? norm(slip) / motion.last_step : 0;
-        double limit = options_.friction_scale * friction.coefficient(speed) * pressing;
+        double limit = options_.friction_scale * friction.coefficient(speed) * touch.pressing;
         if (friction.shear_cap > 0) limit = std::min(limit, friction.shear_cap * load.area);
         touch.friction = friction_force(before, touch.normal, slip, touch.stiffness, limit);
     }
-    touch.force = pressing * touch.normal + touch.friction;
+    const Vec3 more = (touch.pressing - load.force) * touch.normal + touch.friction;
+    touch.force = {};
+    for (int i = 0; i < 4; ++i) {
+        touch.on_first[i] += load.first[i] * more;
+        touch.on_second[i] -= load.second[i] * more;
+        touch.force += touch.on_first[i];
+    }
     touch.friction_loss = -0.5 * dot(before + touch.friction, slip);
 }
 
@@ -519,7 +556,7 @@ void FacingSegments::find_chunk(const ContactMotion& motion, double step, std::s
 
 void FacingSegments::serialise(Archive& archive)
 {
-    archive(pairs_, searched_at_, test_due_, sharp_, standing_, now_, searches_);
+    archive(pairs_, searched_at_, test_due_, sharp_, standing_, bend_, now_, searches_);
 }
 
 } // namespace plash

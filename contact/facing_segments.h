@@ -18,10 +18,12 @@ struct FacingTouch {
     double weight = 0;                 ///< facing_weight() at its onset
     double area = 0;                   ///< over which they press [area]
     double stiffness = 0;              ///< of that area [force/length]
-    std::array<double, 4> on_first{}, on_second{}; ///< shares of the corners in the force
-    Vec3 friction{};                               ///< tangential force on the first [force]
-    Vec3 force{};                                  ///< whole force on the first [force]
-    double friction_loss = 0;                      ///< what friction took in the last step [energy]
+    std::array<double, 4> first_share{}, second_share{}; ///< of the corners in the pressure
+    std::array<Vec3, 4> on_first{}, on_second{};         ///< forces on the corners [force]
+    double pressing = 0;                                 ///< normal force [force]
+    Vec3 friction{};                                     ///< tangential force on the first [force]
+    Vec3 force{};                                        ///< whole force on the first [force]
+    double friction_loss = 0;                            ///< what friction took in the last step [energy]
 };
 
 /// Contact of segments with segments (SOFT = 2).
@@ -29,10 +31,9 @@ struct FacingTouch {
 /// Pairs of facets that face one another press where their projections along a mean of their normals overlap
 /// (SegmentOverlap). The normal of the facet that is farther from a rim or a sharp edge, and flatter, counts
 /// more, with the fourth power of distance and flatness: a corner that is pushed into a plate is pushed back
-/// along the plate's normal; along its own faces' it would be driven sideways, and the forces would have no
-/// energy. Along the normal of one flat facet and over the area of the other they have a potential
-/// (docs/theory/contact.md); an arc that rolls over a plate gives back what it took. Between facets that are
-/// equally bent the mean of both is the better choice.
+/// along the plate's normal. Forces are the gradient of the pair's energy (docs/theory/contact.md),
+/// MeanNormal adding what turns the direction: what slides, rolls or turns under load gives back what it
+/// took.
 ///
 /// Stiffness per area at the start, from LS-DYNA's formula for a pair (keyword manual, *CONTACT, optional
 /// card A: SLSFAC SFS m1 m2 / (m1 + m2) / (2 dt^2) with segment masses, those of a shell or of half a solid)
@@ -93,6 +94,7 @@ private:
     std::vector<std::uint8_t> sharp_;
     /// By facet: fourth power of how far it is from the next rim or sharp edge over its bend [length^4].
     std::vector<double> standing_;
+    std::vector<double> bend_; ///< by facet: the largest angle to one around it, but over sharp edges
     std::vector<FacingTouch> now_, before_; ///< in the order of pairs
     /// Touches of the last cycle by facet: those of f are of_facet_[facet_begin_[f]] ..
     /// of_facet_[facet_begin_[f + 1] - 1], in the order of pairs. Empty without touches.
@@ -121,6 +123,7 @@ private:
                   FacingTouch& touch) const;
     void apply_law(const ContactMotion& motion, double stiffness, const SegmentOverlap& overlap,
                    FacingTouch& touch) const;
+    double lateral_share(Index a, Index b) const;
     Friction friction_of(Index a, Index b) const;
     Vec3 normal_of(const ContactMotion& motion, Index facet) const;
 };

@@ -76,22 +76,21 @@ void ForceTransducer::add_facing(const ContactMesh& mesh, const FacingSegments& 
                                  ElementResults::ContactForce& sum) const
 {
     for (const FacingTouch& touch : facing.touches()) {
-        const auto take = [&](Index facet, const std::array<double, 4>& share, double sign, bool whole) {
+        const auto take = [&](Index facet, const std::array<Vec3, 4>& on_corner, bool whole) {
             for (int i = 0; i < 4; ++i) {
                 const Index corner = mesh.segments[facet].nodes[i];
                 if (!whole && !slave_.node[corner]) continue;
-                const Vec3 force = (sign * share[i]) * touch.force;
-                sum.slave_force += force;
-                sum.slave_moment += cross(state.position[corner], force);
+                sum.slave_force += on_corner[i];
+                sum.slave_moment += cross(state.position[corner], on_corner[i]);
             }
         };
         if (!between_) {
-            take(touch.first, touch.on_first, 1, false);
-            take(touch.second, touch.on_second, -1, false);
+            take(touch.first, touch.on_first, false);
+            take(touch.second, touch.on_second, false);
         } else if (slave_.holds(mesh, touch.first) && master_.holds(mesh, touch.second)) {
-            take(touch.first, touch.on_first, 1, true);
+            take(touch.first, touch.on_first, true);
         } else if (slave_.holds(mesh, touch.second) && master_.holds(mesh, touch.first)) {
-            take(touch.second, touch.on_second, -1, true);
+            take(touch.second, touch.on_second, true);
         }
     }
 }

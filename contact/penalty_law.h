@@ -21,6 +21,18 @@ inline Lane rounded_force(const Lane& stiffness, const Lane& penetration, const 
     return penetration > zero ? (penetration < rounding ? soft : plain) : zero;
 }
 
+/// What a touch with rounded_force() stores: the integral of the force over the penetration.
+template <class Lane>
+inline Lane rounded_energy(const Lane& stiffness, const Lane& penetration, const Lane& rounding)
+{
+    const Lane zero{};
+    const Lane least = broadcast<Lane>(1e-300);
+    const Lane square = penetration * penetration;
+    const Lane soft = (stiffness / 6) * penetration * square / max(rounding, least);
+    const Lane plain = (0.5 * stiffness) * (square - rounding * penetration + rounding * rounding / 3);
+    return penetration > zero ? (penetration < rounding ? soft : plain) : zero;
+}
+
 /// Stiffness that PENOPT of *CONTROL_CONTACT takes from those of node and segment: 1 the smaller one, 2 and
 /// others the segment's, 3 the node's; a node without one takes the segment's.
 inline double unscaled_stiffness(int option, double node, double segment)

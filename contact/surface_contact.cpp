@@ -409,15 +409,16 @@ void SurfaceContact::sum_up_facing()
 {
     if (!facing_) return;
     for (const FacingTouch& touch : facing_->touches()) {
-        const auto put = [&](Index facet, const std::array<double, 4>& share, double sign) {
+        const auto put = [&](Index facet, const std::array<Vec3, 4>& force,
+                             const std::array<double, 4>& share) {
             for (int i = 0; i < 4; ++i) {
                 NodeSum& corner = sum_[mesh_.facets[facet].corner[i]];
-                corner.force += (sign * share[i]) * touch.force;
+                corner.force += force[i];
                 corner.stiffness += share[i] * touch.stiffness;
             }
         };
-        put(touch.first, touch.on_first, 1);
-        put(touch.second, touch.on_second, -1);
+        put(touch.first, touch.on_first, touch.first_share);
+        put(touch.second, touch.on_second, touch.second_share);
     }
 }
 

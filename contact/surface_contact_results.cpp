@@ -60,14 +60,14 @@ void SurfaceContact::add_facing(ElementResults::ContactForce& sum) const
     for (const FacingTouch& touch : facing_->touches()) {
         const bool first_is_slave = (mesh_.facets[touch.first].belongs & slave_bit) != 0;
         const double sign = first_is_slave ? 1 : -1;
-        const auto moment = [&](Index facet, const std::array<double, 4>& share) {
+        const auto moment = [&](Index facet, const std::array<Vec3, 4>& force) {
             Vec3 whole{};
             for (int c = 0; c < 4; ++c)
-                whole += share[c] * cross(motion_.position[mesh_.facets[facet].corner[c]], touch.force);
+                whole += cross(motion_.position[mesh_.facets[facet].corner[c]], force[c]);
             return whole;
         };
         const Vec3 on_first = moment(touch.first, touch.on_first);
-        const Vec3 on_second = -moment(touch.second, touch.on_second);
+        const Vec3 on_second = moment(touch.second, touch.on_second);
         sum.slave_force += sign * touch.force;
         sum.master_force -= sign * touch.force;
         sum.slave_moment += first_is_slave ? on_first : on_second;
@@ -94,10 +94,9 @@ SurfaceContact::NodeLoads SurfaceContact::node_loads() const
     });
     for (std::size_t number = 0; facing_ && number < facing_->touches().size(); ++number) {
         const FacingTouch& touch = facing_->touches()[number];
-        const double force = dot(touch.force, touch.normal);
         for (int i = 0; i < 4; ++i) {
-            put(mesh_.facets[touch.first].corner[i], touch.on_first[i], force, touch.friction);
-            put(mesh_.facets[touch.second].corner[i], touch.on_second[i], force, -touch.friction);
+            put(mesh_.facets[touch.first].corner[i], touch.first_share[i], touch.pressing, touch.friction);
+            put(mesh_.facets[touch.second].corner[i], touch.second_share[i], touch.pressing, -touch.friction);
         }
     }
     const std::vector<Vec3> position(motion_.position.begin(), motion_.position.end());

@@ -1,5 +1,6 @@
 #include "contact/closest_point.h"
 #include "contact/facing_test.h"
+#include "contact/mean_normal.h"
 #include "contact/segment_overlap.h"
 #include "tests/support/contact_model.h"
 
@@ -230,6 +231,86 @@ TEST(FacingTest, PairsDoNotTouchBeforeTheyAreDue)
         couples.motion.position.own() = start;
     }
     EXPECT_GT(waiting, 500); // 529: shells have to be clear of one another by the same on both sides
+}
+
+/// Two facets that press on one another, a triangle or a parallelogram each.
+struct PressedPair {
+    std::array<SegmentOverlap::Corners, 2> at;
+    double weight[2], rounding = 0, first_share = 0, gap = 0.3;
+
+    explicit PressedPair(std::mt19937& random)
+    {
+        std::uniform_real_distribution<double> unit(-1, 1);
+        for (int of = 0; of < 2; ++of) {
+            const Vec3 middle{0.5 * unit(random), 0.5 * unit(random), of == 0 ? 0.1 : 0.0};
+            const Vec3 u{0.5, 0.1 * unit(random), 0.12 * unit(random)};
+            const Vec3 v{0.1 * unit(random), 0.5, 0.12 * unit(random)};
+            const bool triangle = unit(random) < -0.3;
+            at[of] = {middle - u - v, middle + u - v, middle + u + v, middle + (triangle ? u : -u) + v};
+            if (unit(random) < 0) std::swap(at[of][1], at[of][triangle ? 2 : 3]);
+            if (triangle) at[of][3] = at[of][2];
+            weight[of] = std::exp(unit(random));
+            if (dot(cross(at[of][1] - at[of][0], at[of][2] - at[of][0]), Vec3{0, 0, 1}) < 0)
+                weight[of] = -weight[of];
+        }
+        rounding = 0.05 * std::max(0.0, unit(random));
+        first_share = 0.5 + 0.5 * unit(random);
+    }
+
+    SegmentOverlap::Load load() const
+    {
+        const MeanNormal mean(at[0], weight[0], at[1], weight[1]);
+        const SegmentOverlap overlap(at[0], at[1], mean.direction(), gap);
+        SegmentOverlap::Load load = overlap.load({7, 0.05, rounding, 1.2, 0.8, first_share});
+        mean.add_turning(load.moment, load.on_first, load.on_second);
+        return load;
+    }
+};
+
+/// The forces of a pair are the gradient of its energy: whatever both facets do, moved, turned, stretched or
+/// sheared, they do the work by which it falls; and they add up to no force and no moment.
+TEST(SegmentOverlap, ForcesAreTheGradientOfTheEnergy)
+{
+    std::mt19937 random(3);
+    std::normal_distribution<double> any;
+    int pressed = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        PressedPair pair(random);
+        const SegmentOverlap::Load load = pair.load();
+        if (load.energy < 1e-3) continue;
+        ++pressed;
+        const std::array<Vec3, 4>* forces[2] = {&load.on_first, &load.on_second};
+        Vec3 sum{}, moment{};
+        std::array<SegmentOverlap::Corners, 2> way{};
+        double work = 0, size = 0;
+        for (int of = 0; of < 2; ++of) {
+            const Vec3 shift{any(random), any(random), any(random)};
+            Vec3 row[3];
+            for (Vec3& one : row) one = {any(random), any(random), any(random)};
+            for (int i = 0; i < 4; ++i) {
+                const Vec3 &force = (*forces[of])[i], &place = pair.at[of][i];
+                way[of][i] = shift + Vec3{dot(row[0], place), dot(row[1], place), dot(row[2], place)};
+                sum += force;
+                moment += cross(place, force);
+                work += dot(force, way[of][i]);
+                size += norm(force) * norm(way[of][i]);
+            }
+        }
+        EXPECT_LT(norm(sum), 1e-13 * size);
+        EXPECT_LT(norm(moment), 1e-13 * size);
+        const double step = 1e-5;
+        double energy[2];
+        for (const int sign : {0, 1}) {
+            PressedPair moved = pair;
+            for (int of = 0; of < 2; ++of)
+                for (int i = 0; i < 4; ++i) moved.at[of][i] += (sign == 0 ? -step : step) * way[of][i];
+            energy[sign] = moved.load().energy;
+        }
+        // The rounded law is no polynomial of second order: three points a triangle.
+        EXPECT_NEAR((energy[0] - energy[1]) / (2 * step), work, (pair.rounding > 0 ? 3e-2 : 1e-6) * size)
+            << trial;
+    }
+    EXPECT_GT(pressed, 200);
 }
 
 } // namespace plash
