@@ -4,6 +4,7 @@
 #include "contact/lane_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,14 +20,6 @@ constexpr double overhang = 0.025;
 
 /// Share of its depth behind the face of a solid up to which a node counts as having just come in.
 constexpr double entry = 0.1;
-
-bool share_a_corner(const Facet& a, const Facet& b)
-{
-    for (Index corner : a.corner) {
-        if (std::find(b.corner.begin(), b.corner.end(), corner) != b.corner.end()) return true;
-    }
-    return false;
-}
 
 } // namespace
 
@@ -81,14 +74,7 @@ void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, Touc
         table.set_followed(owner, false);
         table.put(owner, touches);
         pairs.quiet[owner] = 0;
-        // Pairs were put off by what the node touched before: from another facet it may reach further.
-        const bool moved = std::any_of(touches.begin(), touches.end(), [&](const Touch& touch) {
-            return std::none_of(before.begin(), before.end(),
-                                [&](const Touch& one) { return one.facet == touch.facet; });
-        });
-        for (Index pair = pairs.begin[owner]; moved && pair < pairs.begin[owner + 1]; ++pair)
-            if (std::isfinite(pairs.due[pair])) pairs.due[pair] = 0;
-        if (moved) pairs.others_due[owner] = 0;
+        const bool moved = call_again(pairs, owner, before, touches);
         if (!moved) pairs.quiet[owner] = quiet_until(pairs, owner, near.subspan(i, next - i), touches);
         for (std::size_t layer = 0; pairs.quiet[owner] > now && layer < touches.size(); ++layer) {
             const double along = dot(facet_normal(touches[layer].facet), touches[layer].normal);
@@ -96,6 +82,32 @@ void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, Touc
         }
         i = next;
     }
+}
+
+/// Pairs are put off by what their node touches (wait_for_sheet(), wait_for_solid()): those that may reach
+/// further since it touches another facet are due again. Returns whether it does.
+bool TouchFinder::call_again(PairList& pairs, std::size_t owner, std::span<const Touch> before,
+                             std::span<const Touch> touches) const
+{
+    std::array<const Facet*, TouchTable::layers> entered{};
+    std::size_t count = 0;
+    for (const Touch& touch : touches) {
+        const auto same = [&](const Touch& one) { return one.facet == touch.facet; };
+        if (std::none_of(before.begin(), before.end(), same)) entered[count++] = &mesh_.facets[touch.facet];
+    }
+    if (count == 0) return false;
+    const Index close_end = pairs.begin[owner] + pairs.close[owner];
+    for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner + 1]; ++pair) {
+        if (!std::isfinite(pairs.due[pair])) continue;
+        const Facet& facet = mesh_.facets[pairs.facet[pair]];
+        const auto beside = [&](const Facet* one) { return one == &facet || share_a_corner(*one, facet); };
+        const bool reaches_further =
+            facet.one_sided ? before.empty() : std::any_of(entered.begin(), entered.begin() + count, beside);
+        if (!reaches_further) continue;
+        pairs.due[pair] = 0;
+        if (pair >= close_end) pairs.others_due[owner] = 0;
+    }
+    return true;
 }
 
 /// Path before which a pair cannot touch, for a sheet. Behind its plane a facet holds nodes that came there
@@ -209,20 +221,22 @@ void TouchFinder::measure(PairList& pairs, std::span<const Due> batch, const Tou
     };
     for (std::size_t lane = 0; lane < batch.size(); ++lane) {
         const auto [pair, owner] = batch[lane];
-        const Near one{node[lane],
-                       pairs.facet[pair],
-                       static_cast<int>(point.feature[lane]),
-                       point.s[lane],
-                       point.t[lane],
-                       point.distance2[lane],
-                       at(point.offset, lane),
-                       at(normal, lane)};
+        Near one{node[lane],
+                 pairs.facet[pair],
+                 static_cast<int>(point.feature[lane]),
+                 point.s[lane],
+                 point.t[lane],
+                 point.distance2[lane],
+                 at(point.offset, lane),
+                 at(normal, lane)};
         const Facet& facet = mesh_.facets[one.facet];
         const double gap = mesh_.nodes[one.node].half_thickness + facet.half_thickness;
         const double wait = facet.one_sided ? wait_for_solid(one, gap, table.count(owner) > 0)
                                             : wait_for_sheet(one, gap, table, owner);
         pairs.due[pair] = motion_.travelled + wait;
-        if (wait <= motion_.step_range && !(facet.one_sided && in_front(one, gap))) near.push_back(one);
+        if (wait > motion_.step_range) continue;
+        one.over = facet.one_sided && in_front(one, gap);
+        near.push_back(one);
     }
 }
 
@@ -431,7 +445,8 @@ void TouchFinder::resolve(std::span<const Near> near, std::span<const Touch> bef
                           std::vector<const Near*>& order, std::vector<Touch>& touches) const
 {
     order.clear();
-    for (const Near& one : near) order.push_back(&one);
+    for (const Near& one : near)
+        if (!one.over) order.push_back(&one);
     std::sort(order.begin(), order.end(), [](const Near* a, const Near* b) {
         return std::pair(a->distance2, a->facet) < std::pair(b->distance2, b->facet);
     });

@@ -3,7 +3,17 @@
 #include "contact/pair_search.h"
 #include "contact/touch_table.h"
 
+#include <algorithm>
+
 namespace plash {
+
+inline bool share_a_corner(const ContactMesh::Facet& a, const ContactMesh::Facet& b)
+{
+    const auto& corners = b.corner;
+    return std::any_of(a.corner.begin(), a.corner.end(), [&](Index corner) {
+        return std::find(corners.begin(), corners.end(), corner) != corners.end();
+    });
+}
 
 /// Finds which of the pairs touch.
 ///
@@ -24,8 +34,9 @@ class TouchFinder {
         int feature = 0;
         double s = 0, t = 0;
         double distance2 = 0;
-        Vec3 offset{}; ///< from the closest point to the node
-        Vec3 normal{}; ///< of the facet there
+        Vec3 offset{};     ///< from the closest point to the node
+        Vec3 normal{};     ///< of the facet there
+        bool over = false; ///< stands over the face of a solid: does not touch, but may begin in any step
     };
     /// A pair that has to be looked at.
     struct Due {
@@ -59,8 +70,11 @@ private:
     void sort_pairs(PairList& pairs, std::size_t owner) const;
     double quiet_until(const PairList& pairs, std::size_t owner, std::span<const Near> near,
                        std::span<const Touch> touches) const;
+    bool holds_off(const Touch& touch, const Near& near) const;
     double room_of(const Touch& touch, int feature) const;
     bool flat_around(Index facet) const;
+    bool call_again(PairList& pairs, std::size_t owner, std::span<const Touch> before,
+                    std::span<const Touch> touches) const;
     double wait_for_sheet(const Near& near, double gap, const TouchTable& table, std::size_t owner) const;
     bool in_front(const Near& near, double gap) const;
     double wait_for_solid(const Near& near, double gap, bool touches) const;

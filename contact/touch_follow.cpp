@@ -52,21 +52,25 @@ double TouchFinder::room_of(const Touch& touch, int feature) const
     return std::min(free_path, 0.5 * inside) * facet.size;
 }
 
+/// Whether a touch keeps its node from touching another facet: it presses from about the direction in which
+/// the node lies from this. Faces of solids press along their normal from wherever a node is, and a node that
+/// rests on many of them in one plane, as on a corner that several bodies have in common, touches one.
+bool TouchFinder::holds_off(const Touch& touch, const Near& near) const
+{
+    if (mesh_.facets[near.facet].one_sided && dot(touch.normal, near.normal) > nearly_flat) return true;
+    const double distance = std::sqrt(near.distance2);
+    return !near.over && distance > 0 && dot(touch.normal, near.offset) >= 0.6 * distance;
+}
+
 /// Path before which the touches of a node stay as they are but for where exactly on their facets, and no
-/// other can begin: pairs that are near have to be held off by a touch from about the same direction.
+/// other can begin: pairs that are near have to be held off by a touch.
 double TouchFinder::quiet_until(const PairList& pairs, std::size_t owner, std::span<const Near> near,
                                 std::span<const Touch> touches) const
 {
     const double now = motion_.travelled + motion_.step_range;
     double until = pairs.others_due[owner];
-    std::size_t due = 0;
-    for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner] + pairs.close[owner]; ++pair) {
-        if (pairs.due[pair] > now)
-            until = std::min(until, pairs.due[pair]);
-        else
-            ++due;
-    }
-    if (due > near.size()) return 0; // some are about to begin
+    for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner] + pairs.close[owner]; ++pair)
+        if (pairs.due[pair] > now) until = std::min(until, pairs.due[pair]);
     for (const Near& one : near) {
         const auto own = [&](const Touch& touch) { return touch.facet == one.facet; };
         const auto touch = std::find_if(touches.begin(), touches.end(), own);
@@ -74,11 +78,9 @@ double TouchFinder::quiet_until(const PairList& pairs, std::size_t owner, std::s
             until = std::min(until, motion_.travelled + room_of(*touch, one.feature));
             continue;
         }
-        const double distance = std::sqrt(one.distance2);
-        const bool held_off = std::any_of(touches.begin(), touches.end(), [&](const Touch& other) {
-            return distance > 0 && dot(other.normal, one.offset) >= 0.6 * distance;
-        });
-        if (!held_off) return 0;
+        if (std::none_of(touches.begin(), touches.end(),
+                         [&](const Touch& other) { return holds_off(other, one); }))
+            return 0;
     }
     return until;
 }
