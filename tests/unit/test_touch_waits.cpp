@@ -223,6 +223,35 @@ TEST(TouchWaits, SolidsReachOutwardByTheThicknessAndInwardByTheirDepth)
     }
 }
 
+/// A node that touches the top of one block and stands 1e-9 over that of another in the same place is quiet:
+/// the touch holds off the second. One that stands over both, touching nothing, may begin in any step.
+TEST(TouchWaits, TouchHoldsOffFacesInItsPlane)
+{
+    for (const double height : {-1e-9, 1e-9}) {
+        Moved set;
+        const Index block = set.built.add_part(1, 210, 0), other = set.built.add_part(1, 210, 0.02);
+        set.built.add_block(block, {-1, -1, -2}, {1, 1, 0}, {2, 2, 2});
+        set.built.add_block(block, {-0.9, -0.9, -2}, {1.1, 1.1, -2e-9}, {2, 2, 2});
+        Index probe = set.built.add_node({0.4, 0.4, 0.01 + height});
+        set.built.add_shell(other, {probe, set.built.add_node({0, 0, 50}), set.built.add_node({0, 1, 50}),
+                                    set.built.add_node({1, 0, 50})});
+        set.finish();
+        probe = set.number[probe];
+        set.motion.step_range = 1e-8;
+        Followed followed(set);
+        followed.find(set);
+        const auto& owners = followed.pairs().owner;
+        const auto owner = std::lower_bound(owners.begin(), owners.end(), probe) - owners.begin();
+        followed.find(set);
+        ASSERT_EQ(followed.table.count(owner), height < 0 ? 1 : 0);
+        if (height < 0) {
+            EXPECT_GT(followed.pairs().quiet[owner], 1e-3);
+        } else {
+            EXPECT_EQ(followed.pairs().quiet[owner], 0);
+        }
+    }
+}
+
 /// Waiting changes nothing but the work: bodies that fly through one another touch as if every pair were
 /// looked at in every cycle.
 TEST(TouchWaits, NoTouchIsMissed)
