@@ -35,7 +35,7 @@ void BoxFluid::deform(double step)
     plash::deform(grid, fields, contents, step, lagrange.mesh_velocity);
 }
 
-double BoxFluid::work_on_sides() const
+double BoxFluid::work_on_sides(double) const
 {
     return plash::work_on_sides(grid, fields, contents, outside_pressure);
 }

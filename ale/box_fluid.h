@@ -44,7 +44,7 @@ public:
 protected:
     double accelerate(double step) override;
     void deform(double step) override;
-    double work_on_sides() const override;
+    double work_on_sides(double step) const override;
     double sweep() override;
     double return_lost_motion() override;
     void find_node_masses() override;

@@ -133,7 +133,7 @@ void Fluid::advance(double step, double impulse_step)
         energies_.outside_work += absorbed + work_of_forces(fields, absorbing_forces_, step);
     energies_.coupling_work += outside.forces;
     deform(step);
-    if (outside_pressure != 0) energies_.outside_work += work_on_sides();
+    if (outside_pressure != 0) energies_.outside_work += work_on_sides(step);
     const double before = kinetic_energy();
     const double left = remap();
     const double came_in = restore_ambient();

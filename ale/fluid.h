@@ -154,7 +154,7 @@ protected:
     /// What gravity has done besides its work on the masses of the nodes, once mean velocities are known.
     virtual double further_gravity_work(double) const { return 0; }
     virtual void deform(double step) = 0;
-    virtual double work_on_sides() const = 0;
+    virtual double work_on_sides(double step) const = 0;
     /// Returns the kinetic energy that has left through open sides.
     virtual double sweep() = 0;
     virtual double return_lost_motion() = 0;

@@ -56,6 +56,23 @@ void set_boundary(const Model& model, const Record& record, FluidSettings& setti
     reject_field(record, "NSIDEBC", fmt::format("there is no node set {}", exempt));
 }
 
+void set_smoothing(const Record& record, FluidSettings& settings)
+{
+    settings.smoothing_start = record.real("START");
+    settings.smoothing_end = record.real("END");
+    if (record.real("AFAC") == -1) return; // the manual's word for no smoothing
+    NodeSmoothing& mesh = settings.mesh_smoothing;
+    const std::pair<const char*, double*> weights[] = {{"AFAC", &mesh.average},
+                                                       {"BFAC", &mesh.volume},
+                                                       {"CFAC", &mesh.isoparametric},
+                                                       {"DFAC", &mesh.equipotential}};
+    for (const auto& [field, weight] : weights) {
+        *weight = record.real(field);
+        if (!(*weight >= 0))
+            reject_field(record, field, fmt::format("{:g} is no weight of smoothing", *weight));
+    }
+}
+
 } // namespace
 
 FluidSettings fluid_settings_of(const Model& model)
@@ -66,6 +83,7 @@ FluidSettings fluid_settings_of(const Model& model)
         settings = {};
         set_advection(record, settings);
         set_boundary(model, record, settings);
+        set_smoothing(record, settings);
     }
     for (const Record& record : model.others) {
         if (record.keyword != "PLASH_ALE_FORMULATION") continue;

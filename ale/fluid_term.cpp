@@ -5,6 +5,7 @@
 #include "ale/hydrostatic.h"
 #include "ale/initial_state.h"
 #include "core/prescribed_rate.h"
+#include "core/run_error.h"
 #include "model/eulerian.h"
 
 #include <algorithm>
@@ -54,6 +55,9 @@ EulerianFluid::EulerianFluid(const Model& model, MeshBlock block, DeckGroups gro
       fluid_(make_fluid(model, block_, groups_)),
       boundary_(mesh_boundary_of(*fluid_, block_, settings, model)),
       motion_(mesh_motion_of(model, block_, groups_)),
+      smoothing_(settings.mesh_smoothing),
+      smoothing_start_(settings.smoothing_start),
+      smoothing_end_(settings.smoothing_end),
       outside_pressure_curve_(settings.outside_pressure_curve)
 {
     fluid_->order = settings.order;
@@ -68,10 +72,31 @@ EulerianFluid::EulerianFluid(const Model& model, MeshBlock block, DeckGroups gro
     find_ambient_cells();
     find_loaded_nodes();
     find_frame_loads();
-    if (motion_.deforms() && (!boundary_.held.empty() || !boundary_.slipping.empty()))
-        throw DeckError(model.parts[model.solids.part[block_.solids.front()]].where,
+    refuse_walls();
+    if (motion_.follows()) {
+        std::vector<Index> kept;
+        for (const HeldNode& node : boundary_.held) kept.push_back(static_cast<Index>(node.place));
+        hexahedra().prepare_to_follow(kept);
+    }
+}
+
+HexFluid& EulerianFluid::hexahedra()
+{
+    return dynamic_cast<HexFluid&>(*fluid_);
+}
+
+void EulerianFluid::refuse_walls() const
+{
+    if (!motion_.deforms()) return;
+    const Location& where = model_.parts[model_.solids.part[block_.solids.front()]].where;
+    if (!motion_.only_follows() && !(boundary_.held.empty() && boundary_.slipping.empty()))
+        throw DeckError(where,
                         "an Eulerian mesh that turns or is stretched has nodes that are held (EBC, "
                         "*BOUNDARY_SPC, *BOUNDARY_PRESCRIBED_MOTION); there its sides can be open only");
+    if (!boundary_.slipping.empty())
+        throw DeckError(where,
+                        "an Eulerian mesh that goes with its material has walls across no axis along which "
+                        "fluid slips (EBC = 2); there walls can be across the axes only");
 }
 
 /// ELFORM 7, or AET: cells that stand for a reservoir and keep the state in which they start.
@@ -129,10 +154,16 @@ void EulerianFluid::take_loads(const State& state)
 
 std::vector<std::string> EulerianFluid::notices(const State&) const
 {
-    if (block_.is_box()) return {};
-    return {fmt::format(
-        "an Eulerian mesh of {} cells is taken as general hexahedra, which is slower than a box: {}",
-        block_.solids.size(), block_.why_no_box)};
+    std::vector<std::string> notices;
+    if (!block_.is_box())
+        notices.push_back(fmt::format(
+            "an Eulerian mesh of {} cells is taken as general hexahedra, which is slower than a box: {}",
+            block_.solids.size(), block_.why_no_box));
+    if (smoothing_.sum() > 0 && !motion_.smooths())
+        notices.push_back(
+            "*CONTROL_ALE, AFAC to DFAC: an Eulerian mesh that no *ALE_REFERENCE_SYSTEM_GROUP of "
+            "PRTYPE 2 names is not smoothed; it stands still or is carried as a whole");
+    return notices;
 }
 
 void EulerianFluid::serialise(Archive& archive)
@@ -199,6 +230,7 @@ void EulerianFluid::move_mesh(const Clock& clock, State& state)
 /// know.
 void EulerianFluid::deform_mesh(const Clock& clock, State& state)
 {
+    if (motion_.rules[motion_.rule_number(clock.time)].follows()) return follow_material(clock.time);
     // Nodes of bodies may still be put straight after this: what they go then comes with the next step.
     std::vector<Vec3> reference = reference_nodes(state, clock.time);
     const AffineStep way = affine_step(motion_, model_, clock.time, clock.step, reference_before_, reference,
@@ -211,6 +243,32 @@ void EulerianFluid::deform_mesh(const Clock& clock, State& state)
         next.push_back(state.position[node]);
     }
     fluid_->move_nodes(std::move(next), clock.step);
+}
+
+/// Where nodes go shows only when their velocities are known; the State's follow after that.
+void EulerianFluid::follow_material(double time)
+{
+    NodeSmoothing smoothing;
+    const MeshMotion::Kind kind = motion_.rules[motion_.rule_number(time)].kind;
+    if (kind == MeshMotion::Kind::delayed) smoothing.back = motion_.back;
+    if (kind == MeshMotion::Kind::smoothed && time >= smoothing_start_ && time <= smoothing_end_)
+        smoothing = smoothing_;
+    hexahedra().follow_material(smoothing);
+}
+
+void EulerianFluid::advance(const Clock& clock)
+{
+    // The velocity step of the first cycle is half a step, but what holds a fluid at rest acts as long as its
+    // pressure does.
+    const bool held_at_rest = hydrostatic_ && clock.last_step == 0;
+    try {
+        fluid_->advance(clock.step, held_at_rest ? clock.step : clock.velocity_step());
+    } catch (const HexDefect& defect) {
+        const Index solid = block_.solids[defect.cell];
+        throw RunError(fmt::format(
+            "cell {} (part {}) of an Eulerian mesh that moves has been lost at time {:g}: {}",
+            model_.solids.id[solid], model_.parts[model_.solids.part[solid]].id, clock.time, defect.why));
+    }
 }
 
 /// Loads of the frame that speak of everything, of the mesh's parts or of some of its nodes.
@@ -260,10 +318,12 @@ void EulerianFluid::after_motion(const Clock& clock, State& state)
         fluid_->outside_pressure =
             curve_value(model_, outside_pressure_curve_, clock.time + 0.5 * clock.step);
     if (motion_.deforms()) deform_mesh(clock, state);
-    // The velocity step of the first cycle is half a step, but what holds a fluid at rest acts as long as its
-    // pressure does.
-    const bool held_at_rest = hydrostatic_ && clock.last_step == 0;
-    fluid_->advance(clock.step, held_at_rest ? clock.step : clock.velocity_step());
+    advance(clock);
+    if (motion_.follows() && motion_.rules[motion_.rule_number(clock.time)].follows()) {
+        const std::vector<Vec3>& places = hexahedra().mesh.position;
+        for (std::size_t number = 0; number < block_.nodes.size(); ++number)
+            state.position[block_.nodes[number]] = places[number];
+    }
     std::array<double, 3> distance = fluid_->lagrange.mesh_velocity;
     for (double& along : distance) along *= clock.step;
     fluid_->shift(distance);
@@ -305,7 +365,10 @@ std::vector<std::unique_ptr<EulerianFluid>> make_eulerian_fluids(const Model& mo
     const auto why_no_box = [&](const std::vector<Index>& solids) {
         MeshBlock block;
         block.solids = solids;
-        return std::string(mesh_motion_of(model, block, groups).deforms() ? "it turns or is stretched" : "");
+        const MeshMotion motion = mesh_motion_of(model, block, groups);
+        return std::string(motion.follows()   ? "it goes with its material"
+                           : motion.deforms() ? "it turns or is stretched"
+                                              : "");
     };
     for (MeshBlock& block : find_mesh_blocks(model, why_no_box))
         fluids.push_back(std::make_unique<EulerianFluid>(model, std::move(block), groups, settings));

@@ -11,6 +11,8 @@
 
 namespace plash {
 
+class HexFluid;
+
 /// The fluid in one Eulerian mesh of a deck as a Term. Its nodes have no mass in the State and stay, or move
 /// with the mesh as a whole; the fluid keeps its own velocities, at t_n, and goes from n to n + 1 once the
 /// structures have moved.
@@ -35,6 +37,8 @@ public:
     Fluid& fluid() { return *fluid_; }
     /// The fluid of a mesh that is a box.
     BoxFluid& box() { return dynamic_cast<BoxFluid&>(*fluid_); }
+    /// The fluid of a mesh that is not.
+    HexFluid& hexahedra();
     const MeshBlock& block() const { return block_; }
     const DeckGroups& groups() const { return groups_; }
     /// Acceleration of the frame's loads on the fluid [acceleration].
@@ -49,7 +53,9 @@ private:
     MeshMotion motion_;
     std::vector<Vec3> reference_before_; ///< places of the nodes that a deforming mesh has followed [length]
     std::size_t reference_rule_ = 0;     ///< by which it did
-    Index outside_pressure_curve_;       ///< none: the pressure on the outer faces stays as it is
+    NodeSmoothing smoothing_;            ///< of *CONTROL_ALE, from START to END
+    double smoothing_start_, smoothing_end_;
+    Index outside_pressure_curve_;          ///< none: the pressure on the outer faces stays as it is
     std::vector<std::size_t> loaded_nodes_; ///< of the mesh, on which loads of the deck act
     std::vector<const BodyLoad*> frame_loads_;
     bool started_ = false;
@@ -63,6 +69,9 @@ private:
     void take_loads(const State& state);
     void move_mesh(const Clock& clock, State& state);
     void deform_mesh(const Clock& clock, State& state);
+    void follow_material(double time);
+    void advance(const Clock& clock);
+    void refuse_walls() const;
     std::vector<Vec3> reference_nodes(const State& state, double time) const;
     Index part_of_group(const DeckGroup& group) const;
     void collect_cells(ElementResults& results) const;

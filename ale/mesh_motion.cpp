@@ -84,6 +84,15 @@ MeshMotion::Rule rule_of(const Model& model, const Record& group, const Record& 
     switch (type) {
     case 0:
         break;
+    case 1:
+        rule.kind = MeshMotion::Kind::material;
+        break;
+    case 2:
+        rule.kind = MeshMotion::Kind::smoothed;
+        break;
+    case 8:
+        rule.kind = MeshMotion::Kind::delayed;
+        break;
     case 3:
         rule.kind = MeshMotion::Kind::curves;
         set_curves(model, by("ALE_REFERENCE_SYSTEM_CURVE"), rule);
@@ -99,11 +108,12 @@ MeshMotion::Rule rule_of(const Model& model, const Record& group, const Record& 
         set_nodes(model, by("ALE_REFERENCE_SYSTEM_NODE"), 12, rule);
         break;
     default:
-        reject_field(record, type_field,
-                     fmt::format("{} is not supported; there are 0 no motion, 3 by curves, 4 with the mean "
-                                 "velocity of the fluid, 5 with nodes, 7 as the box around nodes, and 6 of "
-                                 "these one after the other",
-                                 type));
+        reject_field(
+            record, type_field,
+            fmt::format("{} is not supported; there are 0 no motion, 1 with the material, 2 smoothed, "
+                        "3 by curves, 4 with the mean velocity of the fluid, 5 with nodes, 7 as the "
+                        "box around nodes, 8 delayed, and 6 of these one after the other",
+                        type));
     }
     return rule;
 }
@@ -200,6 +210,23 @@ void follow_centre(const Model& model, const Record& record, const MeshBlock& bl
         reject_field(record, "ISYM", "the planes of the mesh do not stand across the global axes");
 }
 
+bool has(const MeshMotion& motion, MeshMotion::Kind kind)
+{
+    return std::any_of(motion.rules.begin(), motion.rules.end(),
+                       [kind](const MeshMotion::Rule& rule) { return rule.kind == kind; });
+}
+
+void set_delay(const Record& record, MeshMotion& motion)
+{
+    motion.back = record.real("EFAC");
+    if (!(motion.back > 0 && motion.back <= 1))
+        reject_field(
+            record, "EFAC",
+            fmt::format("{:g} is no share above 0 and up to 1, of the way that nodes go back to their "
+                        "places of the start in a step; for 0 there is PRTYPE 1",
+                        motion.back));
+}
+
 } // namespace
 
 bool MeshMotion::moves() const
@@ -210,11 +237,27 @@ bool MeshMotion::moves() const
 bool MeshMotion::deforms() const
 {
     return std::any_of(rules.begin(), rules.end(), [](const Rule& rule) {
-        if (rule.kind == Kind::frame || rule.kind == Kind::extent) return true;
+        if (rule.follows() || rule.kind == Kind::frame || rule.kind == Kind::extent) return true;
         for (int number = 0; number < 12; ++number)
             if (number % 4 != 0 && rule.curves[number] != none) return true;
         return false;
     });
+}
+
+bool MeshMotion::follows() const
+{
+    return std::any_of(rules.begin(), rules.end(), [](const Rule& rule) { return rule.follows(); });
+}
+
+bool MeshMotion::only_follows() const
+{
+    return follows() &&
+           std::all_of(rules.begin(), rules.end(), [](const Rule& rule) { return rule.follows(); });
+}
+
+bool MeshMotion::smooths() const
+{
+    return has(*this, Kind::smoothed);
 }
 
 std::size_t MeshMotion::rule_number(double time) const
@@ -249,6 +292,9 @@ std::array<double, 3> MeshMotion::velocity(const Model& model, const Fluid& flui
         result = {nodes[rule.nodes[0]].x, nodes[rule.nodes[0]].y, nodes[rule.nodes[0]].z};
         break;
     case Kind::none:
+    case Kind::material:
+    case Kind::smoothed:
+    case Kind::delayed:
     case Kind::frame:
     case Kind::extent:
         break;
@@ -271,9 +317,8 @@ MeshMotion mesh_motion_of(const Model& model, const MeshBlock& block, const Deck
         else
             motion.rules.push_back(rule_of(model, record, record, "PRTYPE", "PRID"));
         motion.held = constraint(record, "BCTRAN");
-        if (std::any_of(motion.rules.begin(), motion.rules.end(),
-                        [](const auto& rule) { return rule.kind == MeshMotion::Kind::extent; }))
-            motion.stiff = constraint(record, "BCEXP");
+        if (has(motion, MeshMotion::Kind::extent)) motion.stiff = constraint(record, "BCEXP");
+        if (has(motion, MeshMotion::Kind::delayed)) set_delay(record, motion);
         if (motion.deforms()) motion.centre = {record.real("XC"), record.real("YC"), record.real("ZC")};
     }
     return motion;

@@ -3,6 +3,7 @@
 #include "ale/deck_groups.h"
 #include "ale/fluid.h"
 #include "ale/mesh_block.h"
+#include "ale/node_smoothing.h"
 
 namespace plash {
 
@@ -12,11 +13,14 @@ namespace plash {
 struct MeshMotion {
     enum class Kind {
         none,
-        curves,  ///< PRTYPE = 3: velocities by *ALE_REFERENCE_SYSTEM_CURVE
-        average, ///< PRTYPE = 4: the mean velocity of the mass in the mesh; FOLLOW_GC: of some fluids
-        node,    ///< PRTYPE = 5, BCROT = 7: with the first node of *ALE_REFERENCE_SYSTEM_NODE
-        frame,   ///< PRTYPE = 5: with the system of its first three nodes, which turns
-        extent   ///< PRTYPE = 7: stretched along the axes as the box is that its nodes span
+        material, ///< PRTYPE = 1: with the material
+        smoothed, ///< PRTYPE = 2: with the material, smoothed as *CONTROL_ALE says
+        delayed,  ///< PRTYPE = 8: with the material, and part of the way back to the start
+        curves,   ///< PRTYPE = 3: velocities by *ALE_REFERENCE_SYSTEM_CURVE
+        average,  ///< PRTYPE = 4: the mean velocity of the mass in the mesh; FOLLOW_GC: of some fluids
+        node,     ///< PRTYPE = 5, BCROT = 7: with the first node of *ALE_REFERENCE_SYSTEM_NODE
+        frame,    ///< PRTYPE = 5: with the system of its first three nodes, which turns
+        extent    ///< PRTYPE = 7: stretched along the axes as the box is that its nodes span
     };
     struct Rule {
         Kind kind = Kind::none;
@@ -24,6 +28,11 @@ struct MeshMotion {
         std::array<Index, 12> curves{none, none, none, none, none, none, none, none, none, none, none, none};
         std::vector<Index> nodes; ///< of the reference system
         unsigned fluids = ~0u;    ///< of `average`: bits of those that count
+
+        bool follows() const
+        {
+            return kind == Kind::material || kind == Kind::smoothed || kind == Kind::delayed;
+        }
     };
     /// One after the other, each until its time and the last for ever: PRTYPE = 6,
     /// *ALE_REFERENCE_SYSTEM_SWITCH.
@@ -31,10 +40,15 @@ struct MeshMotion {
     std::vector<double> until; ///< [time]
     unsigned held = 0;         ///< BCTRAN: axes along which it stays, bits 1, 2, 4
     unsigned stiff = 0;        ///< BCEXP: axes along which PRTYPE = 7 does not stretch it
+    double back = 0;           ///< EFAC of PRTYPE = 8 [-]
     Vec3 centre{};             ///< XC, YC, ZC: from which the coordinates of curves count [length]
 
     bool moves() const;
     bool deforms() const;
+    /// Some time, or at all times, its nodes go with the material.
+    bool follows() const;
+    bool only_follows() const;
+    bool smooths() const;
     std::size_t rule_number(double time) const;
     /// Velocity of a mesh that translates [velocity].
     /// nodes  velocities of all nodes [velocity]

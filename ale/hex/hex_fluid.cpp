@@ -138,6 +138,35 @@ void HexFluid::move_nodes(std::vector<Vec3> next, double step)
     for (std::size_t face = 0; face < wind_.size(); ++face) wind_[face] = motion_.swept()[face] / step;
 }
 
+void HexFluid::follow_material(const NodeSmoothing& smoothing)
+{
+    follows_ = smoothing;
+}
+
+/// Forces and their work are to see the mesh of mid-step, as far as velocities tell at t_n: with the areas of
+/// t_n a body that turns would change its volume by the square of the angle of a step.
+void HexFluid::stand_midway(double step)
+{
+    std::vector<Vec3> middle = mesh.position;
+    for (std::size_t node = 0; node < mesh.nodes(); ++node)
+        for (int axis = 0; axis < 3; ++axis)
+            middle[node].*vector_component[axis] += 0.5 * step * fields.velocity[axis][node];
+    measure_faces(mesh, middle);
+    layout_.measure(mesh);
+}
+
+/// Once mean velocities are known.
+void HexFluid::go_with_material(double step)
+{
+    std::vector<Vec3> next = mesh.position;
+    for (std::size_t node = 0; node < mesh.nodes(); ++node)
+        for (int axis = 0; axis < 3; ++axis)
+            next[node].*vector_component[axis] += step * fields.mean_velocity[axis][node];
+    find_swept(mesh, next, material_swept_);
+    (*smoothing_)(mesh, *follows_, next);
+    move_nodes(std::move(next), step);
+}
+
 /// After the nodes have moved. Weights of slopes stay those of the start: they are ratios of lengths along
 /// chords.
 void HexFluid::take_new_measures()

@@ -7,8 +7,11 @@
 #include "ale/hex/hex_locator.h"
 #include "ale/hex/hex_mesh.h"
 #include "ale/hex/hex_motion.h"
+#include "ale/hex/hex_smoothing.h"
 #include "ale/hex/hex_sweep.h"
 #include "ale/hex/hex_weight.h"
+
+#include <optional>
 
 namespace plash {
 
@@ -33,6 +36,11 @@ public:
     void close_curved_walls() override;
     void shift(const std::array<double, 3>& distance) override;
     void move_nodes(std::vector<Vec3> next, double step) override;
+    /// For meshes that follow their material, before the first step; nodes inside of `kept` are not smoothed.
+    void prepare_to_follow(const std::vector<Index>& kept) { smoothing_.emplace(mesh, kept); }
+    /// In the coming step the nodes go with the material and are then smoothed. Where they are not, nothing
+    /// passes the faces between them.
+    void follow_material(const NodeSmoothing& smoothing);
 
     MeshPoint locate(const Vec3& point, const std::array<int, 3>& guess) const override;
     std::ptrdiff_t place_of(const MeshPoint& point) const override { return point.cell[0]; }
@@ -48,7 +56,7 @@ protected:
     double accelerate(double step) override;
     double further_gravity_work(double step) const override;
     void deform(double step) override;
-    double work_on_sides() const override;
+    double work_on_sides(double step) const override;
     double sweep() override;
     double return_lost_motion() override;
     void find_node_masses() override;
@@ -68,9 +76,12 @@ private:
     HexLocator locator_;
     HexWeight weight_;
     HexMotion motion_;
-    AlignedDoubles wind_;    ///< by which a mesh that deforms passes its faces [volume/time]; else empty
-    Vec3 offset_{};          ///< that the mesh has moved [length]
-    double common_size_ = 0; ///< median of the smallest widths of cells [length]
+    AlignedDoubles wind_; ///< by which a mesh that deforms passes its faces [volume/time]; else empty
+    std::optional<NodeSmoothing> follows_;  ///< the material, in this step
+    std::optional<HexSmoothing> smoothing_; ///< of a mesh that may follow it
+    AlignedDoubles material_swept_;         ///< volumes that faces sweep with the material [length^3]
+    Vec3 offset_{};                         ///< that the mesh has moved [length]
+    double common_size_ = 0;                ///< median of the smallest widths of cells [length]
 
     AlignedDoubles mid_pressure_;            ///< of cells in the middle of the step [pressure]
     AlignedDoubles face_rate_;               ///< volume that passes a face by time [volume/time]
@@ -95,6 +106,8 @@ private:
     std::vector<std::uint8_t> still_nodes_, still_cells_; ///< batches without motion, without pressure
 
     bool mesh_moves() const;
+    void stand_midway(double step);
+    void go_with_material(double step);
     void take_new_measures();
     bool weighs() const;
     const AlignedDoubles& seen() const { return mesh_moves() ? face_seen_ : face_rate_; }

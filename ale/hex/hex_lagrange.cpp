@@ -8,6 +8,7 @@ namespace plash {
 
 double HexFluid::accelerate(double step)
 {
+    if (follows_) stand_midway(step);
     const double* mass = fields.total_mass().data();
     const bool viscous = !fields.viscous[0].empty();
     const bool weigh = weighs();
@@ -120,6 +121,7 @@ Lanes HexFluid::viscous_work(std::size_t first, double step) const
 
 void HexFluid::deform(double step)
 {
+    if (follows_) go_with_material(step);
     find_face_rates(fields.mean_velocity, step);
     for_chunks(mesh.cells(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t cell = begin; cell < end; cell += lane_count) {
@@ -127,12 +129,20 @@ void HexFluid::deform(double step)
             const auto rate = [&](int side) {
                 return gather(face_rate_.data(), layout_.cell_faces[side].at(cell));
             };
-            const Lanes growth = step * ((rate(1) - rate(0)) + (rate(3) - rate(2)) + (rate(5) - rate(4)));
+            const Lanes worked = step * ((rate(1) - rate(0)) + (rate(3) - rate(2)) + (rate(5) - rate(4)));
+            Lanes growth = worked;
+            if (follows_) {
+                growth = Lanes{};
+                for (int side = 0; side < 6; ++side) {
+                    const Lanes swept = gather(material_swept_.data(), layout_.cell_faces[side].at(cell));
+                    growth += side % 2 == 0 ? -swept : swept;
+                }
+            }
             const Lanes volume = load<Lanes>(&mesh.volume[cell]);
             store(&fields.volume[cell], volume + growth);
             const Mask mask = activity_.of_cells(cell);
             if (BoxContents::nothing(mask)) continue;
-            Lanes work = load<Lanes>(&mid_pressure_[cell]) * growth;
+            Lanes work = load<Lanes>(&mid_pressure_[cell]) * worked;
             if (!fields.viscous[0].empty()) work -= viscous_work(cell, step);
             const int only = BoxContents::pure(mask) ? BoxContents::only_group(mask) : -1;
             deform_cells<Lanes>(fields, cell, only, volume, growth, work);
@@ -140,7 +150,7 @@ void HexFluid::deform(double step)
     });
 }
 
-double HexFluid::work_on_sides() const
+double HexFluid::work_on_sides(double step) const
 {
     double inward = 0;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
@@ -148,9 +158,9 @@ double HexFluid::work_on_sides() const
         if ((face.below != none && face.above != none) || !activity_.reaches_cells(mesh.cell_of_face(i)))
             continue;
         if (face.below == none)
-            inward += volume_flux_[i];
+            inward += step * face_rate_[i];
         else
-            inward -= volume_flux_[i];
+            inward -= step * face_rate_[i];
     }
     return outside_pressure * inward;
 }
@@ -184,7 +194,11 @@ void HexFluid::find_face_rates(const std::array<AlignedDoubles, 3>& velocity, do
             if (deforms) wind = load<Lanes>(&wind_[i]);
             store(&face_rate_[i], rate);
             if (moves) store(&face_seen_[i], rate - wind);
-            if (step > 0) store(&volume_flux_[i], step * (rate - wind));
+            if (!(step > 0)) continue;
+            // The same to the last bit where a face goes with the material.
+            store(&volume_flux_[i], follows_
+                                        ? load<Lanes>(&material_swept_[i]) - load<Lanes>(&motion_.swept()[i])
+                                        : step * (rate - wind));
         }
     });
 }

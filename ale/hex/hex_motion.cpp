@@ -26,24 +26,28 @@ std::array<Vec3, 4> areas_at(const HexFace& face, std::span<const Vec3> position
 
 } // namespace
 
-void HexMotion::prepare(const HexMesh& mesh, std::vector<Vec3> next)
+void find_swept(const HexMesh& mesh, const std::vector<Vec3>& next, AlignedDoubles& swept)
 {
-    next_ = std::move(next);
-    swept_.assign(padded(mesh.faces.size()) + lane_count, 0.0);
+    swept.assign(padded(mesh.faces.size()) + lane_count, 0.0);
     std::vector<Vec3> between(mesh.nodes());
     for (const double way : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)}) {
         for (std::size_t node = 0; node < mesh.nodes(); ++node)
-            between[node] = mesh.position[node] + way * (next_[node] - mesh.position[node]);
+            between[node] = mesh.position[node] + way * (next[node] - mesh.position[node]);
         for_chunks(mesh.faces.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t number = begin; number < end; ++number) {
                 const HexFace& face = mesh.faces[number];
                 const std::array<Vec3, 4> areas = areas_at(face, between);
                 for (int n = 0; n < 4; ++n)
-                    swept_[number] +=
-                        0.5 * dot(areas[n], next_[face.nodes[n]] - mesh.position[face.nodes[n]]);
+                    swept[number] += 0.5 * dot(areas[n], next[face.nodes[n]] - mesh.position[face.nodes[n]]);
             }
         });
     }
+}
+
+void HexMotion::prepare(const HexMesh& mesh, std::vector<Vec3> next)
+{
+    next_ = std::move(next);
+    find_swept(mesh, next_, swept_);
 }
 
 void HexMotion::move(HexMesh& mesh)
@@ -53,12 +57,17 @@ void HexMotion::move(HexMesh& mesh)
     remeasure(mesh);
 }
 
-void remeasure(HexMesh& mesh)
+void measure_faces(HexMesh& mesh, const std::vector<Vec3>& position)
 {
     for_chunks(mesh.faces.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t number = begin; number < end; ++number)
-            mesh.faces[number].area = areas_at(mesh.faces[number], mesh.position);
+            mesh.faces[number].area = areas_at(mesh.faces[number], position);
     });
+}
+
+void remeasure(HexMesh& mesh)
+{
+    measure_faces(mesh, mesh.position);
     const std::size_t places = mesh.volume.size(); // more than cells: places beyond the mesh keep a volume
     measure(mesh);
     mesh.volume.resize(places, 1.0);

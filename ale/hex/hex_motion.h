@@ -16,7 +16,6 @@ namespace plash {
 /// uniform on a mesh that turns or is stretched.
 class HexMotion {
 public:
-    /// Volumes that the faces will sweep, from below to above, until the nodes are at `next` [length^3].
     void prepare(const HexMesh& mesh, std::vector<Vec3> next);
     bool prepared() const { return !next_.empty(); }
     const AlignedDoubles& swept() const { return swept_; }
@@ -27,6 +26,13 @@ private:
     std::vector<Vec3> next_;
     AlignedDoubles swept_;
 };
+
+/// Volumes that the faces sweep, from below to above, until the nodes are at `next` [length^3]; with a batch
+/// of entries beyond the last face.
+void find_swept(const HexMesh& mesh, const std::vector<Vec3>& next, AlignedDoubles& swept);
+
+/// Areas of the faces with the nodes at `position`; nothing else is measured.
+void measure_faces(HexMesh& mesh, const std::vector<Vec3>& position);
 
 /// Measures faces and cells of a mesh whose nodes have moved.
 void remeasure(HexMesh& mesh);

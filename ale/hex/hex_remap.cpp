@@ -212,6 +212,7 @@ double HexFluid::sweep()
     if (motion_.prepared()) {
         motion_.move(mesh);
         take_new_measures();
+        follows_.reset();
     }
     return left;
 }
