@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 namespace plash {
 
@@ -56,24 +57,62 @@ void set_boundary(const Model& model, const Record& record, FluidSettings& setti
     reject_field(record, "NSIDEBC", fmt::format("there is no node set {}", exempt));
 }
 
-void set_smoothing(const Record& record, FluidSettings& settings)
+/// Of *CONTROL_ALE or *SECTION_SOLID_ALE.
+MeshSmoothing smoothing_of(const Record& record)
 {
-    settings.smoothing_start = record.real("START");
-    settings.smoothing_end = record.real("END");
-    if (record.real("AFAC") == -1) return; // the manual's word for no smoothing
-    NodeSmoothing& mesh = settings.mesh_smoothing;
-    const std::pair<const char*, double*> weights[] = {{"AFAC", &mesh.average},
-                                                       {"BFAC", &mesh.volume},
-                                                       {"CFAC", &mesh.isoparametric},
-                                                       {"DFAC", &mesh.equipotential}};
+    MeshSmoothing smoothing;
+    smoothing.start = record.real("START");
+    smoothing.end = record.real("END");
+    if (smoothing.end == 0) smoothing.end = 1e20;    // the section's default
+    if (record.real("AFAC") == -1) return smoothing; // the manual's word for no smoothing
+    NodeSmoothing& by = smoothing.by;
+    const std::pair<const char*, double*> weights[] = {{"AFAC", &by.average},
+                                                       {"BFAC", &by.volume},
+                                                       {"CFAC", &by.isoparametric},
+                                                       {"DFAC", &by.equipotential}};
     for (const auto& [field, weight] : weights) {
         *weight = record.real(field);
         if (!(*weight >= 0))
             reject_field(record, field, fmt::format("{:g} is no weight of smoothing", *weight));
     }
+    return smoothing;
+}
+
+bool gives_smoothing(const Record& section)
+{
+    return section.keyword == "SECTION_SOLID_ALE" &&
+           (section.real("AFAC") != 0 || section.real("BFAC") != 0 || section.real("CFAC") != 0 ||
+            section.real("DFAC") != 0);
+}
+
+bool same(const MeshSmoothing& a, const MeshSmoothing& b)
+{
+    return a.by.average == b.by.average && a.by.volume == b.by.volume &&
+           a.by.isoparametric == b.by.isoparametric && a.by.equipotential == b.by.equipotential &&
+           a.start == b.start && a.end == b.end;
 }
 
 } // namespace
+
+MeshSmoothing mesh_smoothing_of(const Model& model, const MeshBlock& block, const FluidSettings& settings)
+{
+    std::optional<MeshSmoothing> smoothing;
+    Index last = none;
+    for (const Index solid : block.solids) {
+        const Index part = model.solids.part[solid];
+        if (part == last) continue;
+        last = part;
+        const Record& section = model.sections[model.parts[part].section];
+        const MeshSmoothing own = gives_smoothing(section) ? smoothing_of(section) : settings.mesh_smoothing;
+        if (smoothing && !same(own, *smoothing))
+            reject_field(
+                section, "AFAC",
+                fmt::format("the mesh of part {} is smoothed in one way only, but its parts have several",
+                            model.parts[part].id));
+        smoothing = own;
+    }
+    return smoothing.value_or(settings.mesh_smoothing);
+}
 
 FluidSettings fluid_settings_of(const Model& model)
 {
@@ -83,7 +122,7 @@ FluidSettings fluid_settings_of(const Model& model)
         settings = {};
         set_advection(record, settings);
         set_boundary(model, record, settings);
-        set_smoothing(record, settings);
+        settings.mesh_smoothing = smoothing_of(record);
     }
     for (const Record& record : model.others) {
         if (record.keyword != "PLASH_ALE_FORMULATION") continue;

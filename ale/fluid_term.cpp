@@ -55,9 +55,7 @@ EulerianFluid::EulerianFluid(const Model& model, MeshBlock block, DeckGroups gro
       fluid_(make_fluid(model, block_, groups_)),
       boundary_(mesh_boundary_of(*fluid_, block_, settings, model)),
       motion_(mesh_motion_of(model, block_, groups_)),
-      smoothing_(settings.mesh_smoothing),
-      smoothing_start_(settings.smoothing_start),
-      smoothing_end_(settings.smoothing_end),
+      smoothing_(mesh_smoothing_of(model, block_, settings)),
       outside_pressure_curve_(settings.outside_pressure_curve)
 {
     fluid_->order = settings.order;
@@ -159,10 +157,10 @@ std::vector<std::string> EulerianFluid::notices(const State&) const
         notices.push_back(fmt::format(
             "an Eulerian mesh of {} cells is taken as general hexahedra, which is slower than a box: {}",
             block_.solids.size(), block_.why_no_box));
-    if (smoothing_.sum() > 0 && !motion_.smooths())
-        notices.push_back(
-            "*CONTROL_ALE, AFAC to DFAC: an Eulerian mesh that no *ALE_REFERENCE_SYSTEM_GROUP of "
-            "PRTYPE 2 names is not smoothed; it stands still or is carried as a whole");
+    if (smoothing_.by.sum() > 0 && !motion_.smooths())
+        notices.push_back("AFAC to DFAC of *CONTROL_ALE or *SECTION_SOLID_ALE: an Eulerian mesh that no "
+                          "*ALE_REFERENCE_SYSTEM_GROUP of "
+                          "PRTYPE 2 names is not smoothed; it stands still or is carried as a whole");
     return notices;
 }
 
@@ -251,8 +249,8 @@ void EulerianFluid::follow_material(double time)
     NodeSmoothing smoothing;
     const MeshMotion::Kind kind = motion_.rules[motion_.rule_number(time)].kind;
     if (kind == MeshMotion::Kind::delayed) smoothing.back = motion_.back;
-    if (kind == MeshMotion::Kind::smoothed && time >= smoothing_start_ && time <= smoothing_end_)
-        smoothing = smoothing_;
+    if (kind == MeshMotion::Kind::smoothed && time >= smoothing_.start && time <= smoothing_.end)
+        smoothing = smoothing_.by;
     hexahedra().follow_material(smoothing);
 }
 

@@ -53,8 +53,7 @@ private:
     MeshMotion motion_;
     std::vector<Vec3> reference_before_; ///< places of the nodes that a deforming mesh has followed [length]
     std::size_t reference_rule_ = 0;     ///< by which it did
-    NodeSmoothing smoothing_;            ///< of *CONTROL_ALE, from START to END
-    double smoothing_start_, smoothing_end_;
+    MeshSmoothing smoothing_;
     Index outside_pressure_curve_;          ///< none: the pressure on the outer faces stays as it is
     std::vector<std::size_t> loaded_nodes_; ///< of the mesh, on which loads of the deck act
     std::vector<const BodyLoad*> frame_loads_;

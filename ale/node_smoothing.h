@@ -15,4 +15,11 @@ struct NodeSmoothing {
     double sum() const { return average + volume + isoparametric + equipotential + back; }
 };
 
+/// When a mesh of PRTYPE = 2 is smoothed, and how: AFAC to DFAC, START, END.
+struct MeshSmoothing {
+    NodeSmoothing by;
+    double start = 0;  ///< [time]
+    double end = 1e20; ///< [time]
+};
+
 } // namespace plash

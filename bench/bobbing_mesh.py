@@ -7,8 +7,9 @@ Of all velocities of the mesh's nodes that keep the volume of every wet cell and
 that the box gives to the water at rest have the least kinetic energy (Kelvin); twice that energy is the added mass. No step in
 time, no springs, no remap: what is left is the error of the coupling's constraints. Prints it over potential theory's, by where
 the box's side stands in its cell (rows) and where its floor stands in its own (columns): with the weights that the coupling
-uses, and with those of floor points beyond the last node under the floor taken from the cell beside it, so that nodes of the
-water beyond the edge are left out.
+uses, with those of floor points beyond the last node under the floor taken from the cell beside it, so that nodes of the
+water beyond the edge are left out, and without any points, where cells that the box cuts keep the volume of their part outside
+the box: what flows through the open parts of their faces is what the box makes room for (cut cells, Noh 1964).
 """
 import math
 import operator
@@ -73,6 +74,33 @@ class Water:
         count = shells * math.ceil(length / shells / (0.5 * self.size) - 1e-9)
         return [length * (p + 0.5) / count for p in range(count)]
 
+    def cut_volume(self, cell):
+        """Rate of the volume of a cell's part outside the box, over its width, and what the box makes of it at unit speed."""
+        h, (i, k) = self.size, cell
+        left, low = i * h, k * h
+        row = {}
+
+        def pass_face(axis, nodes, start, open_from, open_to, sign):
+            length = open_to - open_from
+            if length < 1e-9 * h:
+                return
+            part = (0.5 * (open_from + open_to) - start) / h  # of the middle of the open part
+            for node, weight in zip(nodes, (1 - part, part)):
+                row[node, axis] = row.get((node, axis), 0.0) + sign * length / h * weight
+
+        for side in (0, 1):
+            x, z, sign = left + side * h, low + side * h, 2 * side - 1
+            beside = x < self.half_box + 1e-9 * h
+            pass_face(0, ((i + side, k), (i + side, k + 1)), low, low, min(low + h, self.floor) if beside else low + h, sign)
+            within = z > self.floor - 1e-9 * h
+            pass_face(1, ((i, k + side), (i + 1, k + side)), left, max(left, self.half_box) if within else left, left + h, sign)
+        holds_floor = low < self.floor - 1e-9 * h and low + h > self.floor - 1e-9 * h
+        room = max(0.0, min(self.half_box, left + h) - left) / h if holds_floor else 0.0
+        return row, -room
+
+    def cut_conditions(self):
+        return [self.cut_volume(cell) for cell in self.wet]
+
     def conditions(self, within_edges):
         h = self.size
         rows = [self.volume(cell) for cell in self.wet]
@@ -87,9 +115,8 @@ class Water:
         return rows
 
 
-def added_mass(water, within_edges):
+def added_mass(water, rows):
     """Twice the least kinetic energy at unit speed of the box: b . S^-1 b, S the conditions' flexibility."""
-    rows = water.conditions(within_edges)
     count = len(rows)
     users = {}
     for r, (row, _) in enumerate(rows):
@@ -120,12 +147,12 @@ if __name__ == "__main__":
     heights = (0.05, 0.35, 0.65, 0.85)
     for cells in [int(word) for word in sys.argv[1:]] or [16]:
         size = half_tank / cells
-        print(f"{cells} cells; the floor stands at {', '.join(map(str, heights))} of its cell: as it is; within edges")
+        print(f"{cells} cells; the floor stands at {', '.join(map(str, heights))} of its cell: as it is; within edges; cut cells")
         for part in (0.0, 0.2, 0.4, 0.6, 0.8):
             half_box = (int(0.0785 / size) + part) * size
             step = 0.0025 if abs(half_box / 0.0025 - round(half_box / 0.0025)) < 1e-6 else 0.00125
             expected = theory(round(half_box / step) * step, step, end=1.0)[1] * draught * half_box
-            found = [[added_mass(Water(cells, half_box, (int((depth - draught) / size) + height) * size), within) / expected
-                      for height in heights] for within in (False, True)]
-            as_it_is, within = (" ".join(f"{ratio:.3f}" for ratio in ratios) for ratios in found)
-            print(f"  side at {part:.1f}: {as_it_is};  {within}", flush=True)
+            waters = [Water(cells, half_box, (int((depth - draught) / size) + height) * size) for height in heights]
+            kinds = (lambda w: w.conditions(False), lambda w: w.conditions(True), Water.cut_conditions)
+            found = [" ".join(f"{added_mass(water, rows(water)) / expected:.3f}" for water in waters) for rows in kinds]
+            print(f"  side at {part:.1f}: {';  '.join(found)}", flush=True)

@@ -1,5 +1,7 @@
 #include "ale/hex/hex_layout.h"
 
+#include "core/parallel.h"
+
 #include <algorithm>
 
 namespace plash {
@@ -112,31 +114,35 @@ HexLayout::HexLayout(const HexMesh& mesh)
 void HexLayout::measure(const HexMesh& mesh)
 {
     const std::size_t nodes = padded(mesh.nodes() + 1), cells = padded(mesh.cells() + 1);
-    for (Corner& column : corners) {
-        for (std::size_t node = 0; node < mesh.nodes(); ++node) {
-            const Index cell = column.cell.place[node];
-            if (cell == static_cast<Index>(mesh.cells())) continue;
-            const HexCorners& own = mesh.corners[cell];
-            const auto corner = std::find(own.begin(), own.end(), static_cast<Index>(node)) - own.begin();
-            const Vec3 area = corner_area(mesh, cell, static_cast<int>(corner));
-            column.area[0][node] = area.x;
-            column.area[1][node] = area.y;
-            column.area[2][node] = area.z;
+    for_chunks(mesh.nodes(), [&](std::size_t begin, std::size_t end) {
+        for (Corner& column : corners) {
+            for (std::size_t node = begin; node < end; ++node) {
+                const Index cell = column.cell.place[node];
+                if (cell == static_cast<Index>(mesh.cells())) continue;
+                const HexCorners& own = mesh.corners[cell];
+                const auto corner = std::find(own.begin(), own.end(), static_cast<Index>(node)) - own.begin();
+                const Vec3 area = corner_area(mesh, cell, static_cast<int>(corner));
+                column.area[0][node] = area.x;
+                column.area[1][node] = area.y;
+                column.area[2][node] = area.z;
+            }
         }
-    }
+    });
     for (AlignedDoubles& component : outer_area) component.assign(nodes, 0.0);
     for (int n = 0; n < 4; ++n)
         for (AlignedDoubles& component : face_area[n]) component.assign(padded(mesh.faces.size()), 0.0);
-    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-        const HexFace& face = mesh.faces[i];
-        const double outward = face.below != none && face.above != none ? 0 : face.above == none ? 1 : -1;
-        for (int n = 0; n < 4; ++n) {
-            const double parts[3] = {face.area[n].x, face.area[n].y, face.area[n].z};
-            for (int axis = 0; axis < 3; ++axis) {
-                face_area[n][axis][i] = parts[axis];
-                outer_area[axis][face.nodes[n]] += outward * parts[axis];
-            }
-        }
+    for_chunks(mesh.faces.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            for (int n = 0; n < 4; ++n)
+                for (int axis = 0; axis < 3; ++axis)
+                    face_area[n][axis][i] = mesh.faces[i].area[n].*vector_component[axis];
+    });
+    for (const HexFace& face : mesh.faces) {
+        if (face.below != none && face.above != none) continue;
+        const double outward = face.above == none ? 1 : -1;
+        for (int n = 0; n < 4; ++n)
+            for (int axis = 0; axis < 3; ++axis)
+                outer_area[axis][face.nodes[n]] += outward * face.area[n].*vector_component[axis];
     }
     for (int axis = 0; axis < 3; ++axis) {
         width[axis].assign(cells, 1.0);

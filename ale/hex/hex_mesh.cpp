@@ -1,6 +1,7 @@
 #include "ale/hex/hex_mesh.h"
 
 #include "conditions/segment_forces.h"
+#include "core/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -308,48 +309,60 @@ void list_corners_of_nodes(HexMesh& mesh)
             mesh.node_corner[next[mesh.corners[cell][corner]]++] = static_cast<Index>(8 * cell + corner);
 }
 
+/// Volume by the divergence theorem, exact for faces that are bilinear. Returns what is wrong with the cell;
+/// null: nothing.
+const char* measure_cell(HexMesh& mesh, std::size_t cell)
+{
+    const Vec3 centre = centre_of(mesh, cell);
+    double volume = 0;
+    double across[3] = {};
+    for (int axis = 0; axis < 3; ++axis) {
+        mesh.edge[cell][axis] = mean_edge(mesh.position, mesh.corners[cell], axis);
+        Vec3 mean{};
+        for (int side = 0; side < 2; ++side) {
+            const HexFace& face = mesh.faces[mesh.cell_faces[cell][2 * axis + side]];
+            for (int n = 0; n < 4; ++n) {
+                mean += 0.5 * face.area[n];
+                volume +=
+                    (side == 1 ? 1 : -1) / 3.0 * dot(face.area[n], mesh.position[face.nodes[n]] - centre);
+            }
+        }
+        across[axis] = norm(mean);
+    }
+    if (!(volume > 0)) return "it has no positive volume";
+    mesh.volume[cell] = volume;
+    for (int axis = 0; axis < 3; ++axis) mesh.width[cell][axis] = volume / across[axis];
+    // Every corner must see its three edges in the same sense of rotation.
+    double lowest = 1e300, highest = -1e300;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 edge[3];
+        for (int axis = 0; axis < 3; ++axis)
+            edge[axis] =
+                (corner >> axis & 1 ? -1.0 : 1.0) * (mesh.position[mesh.corners[cell][corner ^ (1 << axis)]] -
+                                                     mesh.position[mesh.corners[cell][corner]]);
+        const double jacobian = dot(edge[0], cross(edge[1], edge[2]));
+        lowest = std::min(lowest, jacobian);
+        highest = std::max(highest, jacobian);
+    }
+    if (lowest <= 0 && highest >= 0) return "it is turned inside out at a corner";
+    return nullptr;
+}
+
 } // namespace
 
-/// Volumes by the divergence theorem, exact for faces that are bilinear.
 void measure(HexMesh& mesh)
 {
     mesh.volume.resize(mesh.cells());
     mesh.edge.resize(mesh.cells());
     mesh.width.resize(mesh.cells());
-    for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-        const Vec3 centre = centre_of(mesh, cell);
-        double volume = 0;
-        double across[3] = {};
-        for (int axis = 0; axis < 3; ++axis) {
-            mesh.edge[cell][axis] = mean_edge(mesh.position, mesh.corners[cell], axis);
-            Vec3 mean{};
-            for (int side = 0; side < 2; ++side) {
-                const HexFace& face = mesh.faces[mesh.cell_faces[cell][2 * axis + side]];
-                for (int n = 0; n < 4; ++n) {
-                    mean += 0.5 * face.area[n];
-                    volume +=
-                        (side == 1 ? 1 : -1) / 3.0 * dot(face.area[n], mesh.position[face.nodes[n]] - centre);
-                }
-            }
-            across[axis] = norm(mean);
-        }
-        if (!(volume > 0)) throw HexDefect{cell, "it has no positive volume"};
-        mesh.volume[cell] = volume;
-        for (int axis = 0; axis < 3; ++axis) mesh.width[cell][axis] = volume / across[axis];
-        // Every corner must see its three edges in the same sense of rotation.
-        double lowest = 1e300, highest = -1e300;
-        for (int corner = 0; corner < 8; ++corner) {
-            Vec3 edge[3];
-            for (int axis = 0; axis < 3; ++axis)
-                edge[axis] = (corner >> axis & 1 ? -1.0 : 1.0) *
-                             (mesh.position[mesh.corners[cell][corner ^ (1 << axis)]] -
-                              mesh.position[mesh.corners[cell][corner]]);
-            const double jacobian = dot(edge[0], cross(edge[1], edge[2]));
-            lowest = std::min(lowest, jacobian);
-            highest = std::max(highest, jacobian);
-        }
-        if (lowest <= 0 && highest >= 0) throw HexDefect{cell, "it is turned inside out at a corner"};
-    }
+    std::vector<HexDefect> defects((mesh.cells() + chunk_length - 1) / chunk_length, {0, nullptr});
+    for_chunks(mesh.cells(), [&](std::size_t begin, std::size_t end) {
+        HexDefect& defect = defects[begin / chunk_length];
+        for (std::size_t cell = begin; cell < end && !defect.why; ++cell)
+            defect = {cell, measure_cell(mesh, cell)};
+    });
+    for (const HexDefect& defect : defects)
+        if (defect.why) throw defect;
 }
 
 std::array<int, 4> corners_of_face(int axis, int side)

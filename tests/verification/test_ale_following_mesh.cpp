@@ -232,6 +232,28 @@ TEST(AleFollowingMesh, PistonDrivesAShockThroughASmoothedMesh)
     EXPECT_LT(run.scene().ledger.balance_error(), 1e-9);
 }
 
+// The weights of *SECTION_SOLID_ALE go before those of *CONTROL_ALE, and its END ends the smoothing: a bent
+// mesh at rest is smoothed until then, and not after.
+TEST(AleFollowingMesh, SectionsHaveWeightsOfTheirOwn)
+{
+    const auto run_until = [](double end) {
+        EulerianRun run(
+            bricks(4, 4, 4,
+                   [](int i, int j, int k) { return bent(i, j, k, 4, i % 4 && j % 4 && k % 4 ? 0.1 : 0); }) +
+            gas_part(10, 1, 1) + "*SECTION_SOLID_ALE\n1,11\n0.3,0,0,0,0,0.5\n" +
+            "*ALE_MULTI-MATERIAL_GROUP\n10,1\n" + follows(2) + smoothing("-1", end, 2) + "*END\n");
+        return places_after(run);
+    };
+    const std::vector<Vec3> start = run_until(0), half = run_until(0.6), whole = run_until(1.2);
+    double smoothed = 0, later = 0;
+    for (std::size_t node = 0; node < start.size(); ++node) {
+        smoothed = std::max(smoothed, norm(half[node] - start[node]));
+        later = std::max(later, norm(whole[node] - half[node]));
+    }
+    EXPECT_GT(smoothed, 0.05);
+    EXPECT_LT(later, 1e-9);
+}
+
 // A cell that its material turns inside out ends the run in order, with its number.
 TEST(AleFollowingMesh, LostCellEndsTheRunInOrder)
 {
