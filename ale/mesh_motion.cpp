@@ -251,8 +251,9 @@ bool MeshMotion::follows() const
 
 bool MeshMotion::only_follows() const
 {
-    return follows() &&
-           std::all_of(rules.begin(), rules.end(), [](const Rule& rule) { return rule.follows(); });
+    return follows() && std::all_of(rules.begin(), rules.end(), [](const Rule& rule) {
+               return rule.follows() || rule.kind == Kind::none;
+           });
 }
 
 bool MeshMotion::smooths() const

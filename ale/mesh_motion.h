@@ -45,8 +45,9 @@ struct MeshMotion {
 
     bool moves() const;
     bool deforms() const;
-    /// Some time, or at all times, its nodes go with the material.
+    /// At some time its nodes go with the material.
     bool follows() const;
+    /// And at all others it stands.
     bool only_follows() const;
     bool smooths() const;
     std::size_t rule_number(double time) const;

@@ -254,6 +254,59 @@ TEST(AleFollowingMesh, SectionsHaveWeightsOfTheirOwn)
     EXPECT_LT(later, 1e-9);
 }
 
+// A list of PRTYPE 6: the mesh stands, then goes with the gas that flows through it between walls, then
+// stands where it is.
+TEST(AleFollowingMesh, MeshFollowsFromATimeOn)
+{
+    const auto run_until = [](double end) {
+        EulerianRun run(
+            bricks(4, 2, 2, [](int i, int j, int k) { return Vec3(i, j, k); }) + gas_part(10, 1, 1) +
+            "*SECTION_SOLID\n1,11\n*ALE_MULTI-MATERIAL_GROUP\n10,1\n*INITIAL_VELOCITY\n\n0.3\n"
+            "*BOUNDARY_SPC_SET\n1,0,0,1,1\n*SET_NODE_LIST_GENERATE\n1\n1,45\n"
+            "*ALE_REFERENCE_SYSTEM_GROUP\n10,1,6,4\n\n*ALE_REFERENCE_SYSTEM_SWITCH\n4\n0.5,1\n0,1,0\n" +
+            fmt::format("*CONTROL_ALE\n-1,1,2,-1\n,,,,,0,1\n*CONTROL_TERMINATION\n{}\n", end) +
+            "*CONTROL_TIMESTEP\n0,0.9,0,0,0,9\n*DEFINE_CURVE\n9\n0,0.05\n9,0.05\n*END\n");
+        return places_after(run);
+    };
+    EXPECT_EQ(run_until(0.45)[2].x, 2);
+    const double last = run_until(2)[2].x;
+    EXPECT_NEAR(last, 2.15, 0.0151); // the times of the list are those of steps of 0.05 by round-off
+    EXPECT_EQ(run_until(1.5)[2].x, last);
+}
+
+TEST(AleFollowingMesh, WhatIsNotThereIsRefused)
+{
+    const auto complaint = [](const std::string& sections, const std::string& control, int type) {
+        const testing::TemporaryFolder folder;
+        std::ofstream(folder / "deck.k")
+            << "*KEYWORD\n"
+            << bricks(
+                   2, 2, 2, [](int i, int j, int k) { return Vec3(i + 0.1 * j, j, k); },
+                   [](int i) { return 10 + i; })
+            << "*PART\ngas\n10,1,1,1\n*PART\ngas\n11,2,1,1\n*MAT_NULL\n1,1,-1e30\n"
+            << "*EOS_LINEAR_POLYNOMIAL\n1,0,1\n\n*ALE_MULTI-MATERIAL_GROUP\n10,1\n11,1\n"
+            << sections << follows(type) << control << "*CONTROL_TERMINATION\n1\n*END\n";
+        const ReadResult read = read_model(folder / "deck.k");
+        try {
+            make_scene(read.model);
+        } catch (const DeckError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const auto expect = [](const std::string& message, const char* words) {
+        EXPECT_NE(message.find(words), std::string::npos) << message;
+    };
+    const std::string alike = "*SECTION_SOLID\n1,11\n*SECTION_SOLID\n2,11\n";
+    EXPECT_EQ(complaint(alike, "*CONTROL_ALE\n-1,1,2,0.2\n", 2), "");
+    expect(complaint(alike, "*CONTROL_ALE\n-1,1,2,0.2,-1\n", 2), "-1 is no weight of smoothing");
+    expect(complaint(alike, "*CONTROL_ALE\n-1,1,2,-1\n,,,,,2\n", 1), "walls across no axis");
+    expect(complaint(alike, "*CONTROL_ALE\n-1,1,2,-1\n", 8), "no share above 0");
+    expect(
+        complaint("*SECTION_SOLID_ALE\n1,11\n0.2\n*SECTION_SOLID\n2,11\n", "*CONTROL_ALE\n-1,1,2,0.1\n", 2),
+        "its parts have several");
+}
+
 // A cell that its material turns inside out ends the run in order, with its number.
 TEST(AleFollowingMesh, LostCellEndsTheRunInOrder)
 {
