@@ -428,14 +428,17 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, const Fa
     return true;
 }
 
-/// What share of the forces across the normal two facets give to one another: all where one of them is bent
-/// against its neighbours. Where both are flat, these forces cancel between neighbours but for the rim, where
-/// they would squeeze a sheet under a constant pressure (docs/theory/contact.md).
-double FacingSegments::lateral_share(Index a, Index b) const
+/// What share of the forces across the normal two facets give to one another: all where they are tilted
+/// against one another, or one of them against its neighbours. Where all are flat, these forces cancel
+/// between neighbours but for the rim, where they would squeeze a sheet under a constant pressure
+/// (docs/theory/contact.md).
+/// along  cosine between the facets' normals
+double FacingSegments::lateral_share(Index a, Index b, double along) const
 {
     const double flat = flat_bend * flat_bend;
-    const double bend = std::max(bend_[a], bend_[b]);
-    const double of_flat = flat / (bend * bend + flat);
+    const double bend2 =
+        std::max({bend_[a] * bend_[a], bend_[b] * bend_[b], 2 - 2 * std::min(1.0, std::abs(along))});
+    const double of_flat = flat / (bend2 + flat);
     const double share = 1 - of_flat * of_flat;
     return share > 1e-6 ? share : 0;
 }
@@ -450,7 +453,8 @@ void FacingSegments::apply_law(const ContactMotion& motion, double stiffness, co
     law.first_size = a.size * a.size;
     law.second_size = b.size * b.size;
     law.first_share = second_standing / (first_standing + second_standing);
-    law.lateral = lateral_share(touch.first, touch.second);
+    const Vec3 first_normal = normal_of(motion, touch.first), second_normal = normal_of(motion, touch.second);
+    law.lateral = lateral_share(touch.first, touch.second, dot(first_normal, second_normal));
     const auto load = overlap.load(law);
     touch.first_share = load.first;
     touch.second_share = load.second;
@@ -460,10 +464,8 @@ void FacingSegments::apply_law(const ContactMotion& motion, double stiffness, co
     touch.stiffness = load.stiffness;
     if (load.force > 0 && law.lateral > 0) {
         const auto at_a = corners_of(motion, a), at_b = corners_of(motion, b);
-        const auto sided = [&](Index facet) {
-            return std::copysign(standing_[facet], dot(normal_of(motion, facet), touch.normal));
-        };
-        MeanNormal(at_a, sided(touch.first), at_b, sided(touch.second))
+        MeanNormal(at_a, std::copysign(first_standing, dot(first_normal, touch.normal)), at_b,
+                   std::copysign(second_standing, dot(second_normal, touch.normal)))
             .add_turning(load.moment, touch.on_first, touch.on_second);
     }
     const Vec3 velocity =

@@ -123,7 +123,7 @@ private:
                   FacingTouch& touch) const;
     void apply_law(const ContactMotion& motion, double stiffness, const SegmentOverlap& overlap,
                    FacingTouch& touch) const;
-    double lateral_share(Index a, Index b) const;
+    double lateral_share(Index a, Index b, double along) const;
     Friction friction_of(Index a, Index b) const;
     Vec3 normal_of(const ContactMotion& motion, Index facet) const;
 };
