@@ -134,6 +134,11 @@ void HexFluid::shift(const std::array<double, 3>& distance)
 void HexFluid::move_nodes(std::vector<Vec3> next, double step)
 {
     motion_.prepare(mesh, std::move(next));
+    take_wind(step);
+}
+
+void HexFluid::take_wind(double step)
+{
     wind_.resize(motion_.swept().size());
     for (std::size_t face = 0; face < wind_.size(); ++face) wind_[face] = motion_.swept()[face] / step;
 }
@@ -163,8 +168,13 @@ void HexFluid::go_with_material(double step)
         for (int axis = 0; axis < 3; ++axis)
             next[node].*vector_component[axis] += step * fields.mean_velocity[axis][node];
     find_swept(mesh, next, material_swept_);
-    (*smoothing_)(mesh, *follows_, next);
-    move_nodes(std::move(next), step);
+    if (follows_->sum() > 0) {
+        (*smoothing_)(mesh, *follows_, next);
+        move_nodes(std::move(next), step);
+        return;
+    }
+    motion_.prepare(std::move(next), material_swept_);
+    take_wind(step);
 }
 
 /// After the nodes have moved. Weights of slopes stay those of the start: they are ratios of lengths along

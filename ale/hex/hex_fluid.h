@@ -108,6 +108,7 @@ private:
     bool mesh_moves() const;
     void stand_midway(double step);
     void go_with_material(double step);
+    void take_wind(double step);
     void take_new_measures();
     bool weighs() const;
     const AlignedDoubles& seen() const { return mesh_moves() ? face_seen_ : face_rate_; }

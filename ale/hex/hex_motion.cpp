@@ -50,6 +50,12 @@ void HexMotion::prepare(const HexMesh& mesh, std::vector<Vec3> next)
     find_swept(mesh, next_, swept_);
 }
 
+void HexMotion::prepare(std::vector<Vec3> next, const AlignedDoubles& swept)
+{
+    next_ = std::move(next);
+    swept_ = swept;
+}
+
 void HexMotion::move(HexMesh& mesh)
 {
     mesh.position = std::move(next_);

@@ -17,6 +17,8 @@ namespace plash {
 class HexMotion {
 public:
     void prepare(const HexMesh& mesh, std::vector<Vec3> next);
+    /// The same where it is known what the faces will sweep.
+    void prepare(std::vector<Vec3> next, const AlignedDoubles& swept);
     bool prepared() const { return !next_.empty(); }
     const AlignedDoubles& swept() const { return swept_; }
     /// Puts the nodes there and measures the mesh anew. HexDefect where a cell has lost its volume.
