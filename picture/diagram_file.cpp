@@ -1,5 +1,6 @@
 #include "picture/diagram_file.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -26,6 +27,15 @@ std::vector<std::string> groups_of(const std::string& line)
     return groups;
 }
 
+/// The place of a name among those that have come up; a new one is added.
+std::size_t number_of(const std::string& name, std::vector<std::string>& names)
+{
+    const auto known = std::find(names.begin(), names.end(), name);
+    const std::size_t number = known - names.begin();
+    if (known == names.end()) names.push_back(name);
+    return number;
+}
+
 bool read_number(const std::string& text, double& value)
 {
     char* end = nullptr;
@@ -40,6 +50,7 @@ std::vector<Plot> read_diagrams(const std::string& path)
     std::ifstream file(path);
     if (!file) throw std::runtime_error(path + " cannot be read");
     std::vector<Plot> plots;
+    std::vector<std::string> names;
     std::size_t number = 0;
     for (std::string text; std::getline(file, text);) {
         ++number;
@@ -51,7 +62,8 @@ std::vector<Plot> read_diagrams(const std::string& path)
         } else if (groups[0] == "line" && groups.size() >= 2 && !plots.empty()) {
             auto& lines = plots.back().lines;
             const bool markers = groups.size() > 2 && groups[2] == "markers";
-            lines.push_back({groups[1], {}, {}, palette[lines.size() % palette.size()], markers});
+            const auto& colour = palette[number_of(groups[1], names) % palette.size()];
+            lines.push_back({groups[1], {}, {}, colour, markers});
         } else if (groups.size() == 2 && read_number(groups[0], x) && read_number(groups[1], y) &&
                    !plots.empty() && !plots.back().lines.empty()) {
             plots.back().lines.back().x.push_back(x);

@@ -11,7 +11,8 @@ namespace plash {
 ///     plot    TITLE   X_LABEL   Y_LABEL
 ///     line    NAME    [markers]
 ///     X       Y
-/// Lines get distinct colours in their order. Throws std::runtime_error with the line that does not fit.
+/// Lines get distinct colours in the order of their names, and the same one in every diagram of the file.
+/// Throws std::runtime_error with the line that does not fit.
 std::vector<Plot> read_diagrams(const std::string& path);
 
 } // namespace plash
