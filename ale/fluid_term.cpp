@@ -161,6 +161,8 @@ std::vector<std::string> EulerianFluid::notices(const State&) const
         notices.push_back("AFAC to DFAC of *CONTROL_ALE or *SECTION_SOLID_ALE: an Eulerian mesh that no "
                           "*ALE_REFERENCE_SYSTEM_GROUP of "
                           "PRTYPE 2 names is not smoothed; it stands still or is carried as a whole");
+    if (motion_.idle_back)
+        notices.push_back("EFAC of *ALE_REFERENCE_SYSTEM_GROUP has no effect: it is for PRTYPE 8 alone");
     return notices;
 }
 

@@ -319,7 +319,10 @@ MeshMotion mesh_motion_of(const Model& model, const MeshBlock& block, const Deck
             motion.rules.push_back(rule_of(model, record, record, "PRTYPE", "PRID"));
         motion.held = constraint(record, "BCTRAN");
         if (has(motion, MeshMotion::Kind::extent)) motion.stiff = constraint(record, "BCEXP");
-        if (has(motion, MeshMotion::Kind::delayed)) set_delay(record, motion);
+        if (has(motion, MeshMotion::Kind::delayed))
+            set_delay(record, motion);
+        else
+            motion.idle_back = record.real("EFAC") != 0;
         if (motion.deforms()) motion.centre = {record.real("XC"), record.real("YC"), record.real("ZC")};
     }
     return motion;

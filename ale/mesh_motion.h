@@ -41,6 +41,7 @@ struct MeshMotion {
     unsigned held = 0;         ///< BCTRAN: axes along which it stays, bits 1, 2, 4
     unsigned stiff = 0;        ///< BCEXP: axes along which PRTYPE = 7 does not stretch it
     double back = 0;           ///< EFAC of PRTYPE = 8 [-]
+    bool idle_back = false;    ///< the deck gives EFAC, and nothing is delayed
     Vec3 centre{};             ///< XC, YC, ZC: from which the coordinates of curves count [length]
 
     bool moves() const;

@@ -61,6 +61,17 @@ void read_limits(const Model& model, const Record& control, ParticleOptions& opt
     if (fastest > 0 && fastest < 1e15) options.largest_speed = fastest;
 }
 
+/// Whether a field that may be 0 or 1 is 1.
+/// choices  what the two mean, for the message
+bool is_one(const Record& control, const char* field, const char* choices)
+{
+    const Id value = control.integer(field);
+    if (value < 0 || value > 1) {
+        reject_field(control, field, fmt::format("{} is not supported; {}", value, choices));
+    }
+    return value == 1;
+}
+
 void read_control(const Record& control, ParticleOptions& options)
 {
     const Id dimension = control.integer("IDIM");
@@ -81,31 +92,12 @@ void read_control(const Record& control, ParticleOptions& options)
     const double last = control.real("DT");
     options.birth = control.real("START");
     options.death = last > 0 ? last : forever;
-    const Id derivative = control.integer("DERIV");
-    if (derivative < 0 || derivative > 1) {
-        reject_field(control, "DERIV",
-                     fmt::format("{} is not supported; smoothing lengths follow h div(v) / d (0) or its cube "
-                                 "root (1)",
-                                 derivative));
-    }
-    options.smoothing_by_cube_root = derivative == 1;
-    const Id erosion = control.integer("IEROD");
-    if (erosion < 0 || erosion > 1) {
-        reject_field(control, "IEROD",
-                     fmt::format("{} is not supported; failed particles stay as they are (0) or lose their "
-                                 "stress (1)",
-                                 erosion));
-    }
-    options.failed_carry_nothing = erosion == 1;
-    const Id viscosity = control.integer("IAVIS");
-    if (viscosity < 0 || viscosity > 1) {
-        reject_field(
-            control, "IAVIS",
-            fmt::format("{} is not supported; viscosity is Monaghan's (0) or as solid elements have it "
-                        "(1)",
-                        viscosity));
-    }
-    options.bulk_viscosity = viscosity == 1;
+    options.smoothing_by_cube_root = is_one(
+        control, "DERIV", "smoothing lengths follow h div(v) / d (0), or with the cube root of div(v) (1)");
+    options.failed_carry_nothing =
+        is_one(control, "IEROD", "failed particles stay as they are (0) or lose their stress (1)");
+    options.bulk_viscosity =
+        is_one(control, "IAVIS", "viscosity is Monaghan's (0) or as solid elements have it (1)");
 }
 
 /// Kernels beyond those of SPHKERN.

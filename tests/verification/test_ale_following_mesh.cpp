@@ -359,6 +359,22 @@ TEST(AleFollowingMesh, LostCellEndsTheRunInOrder)
 
 // A run that goes on from a restart file has the bits of the whole run, also where nodes go back to where
 // they stood at the start of the first.
+TEST(AleFollowingMesh, SaysThatOnlyDelayedMeshesGoBack)
+{
+    const auto notices_with = [](int type, double back) {
+        EulerianRun run(bricks(2, 2, 2, [](int i, int j, int k) { return bent(i, j, k, 2, 0.05); }) +
+                        "*PART\nmesh\n10,10,1\n*SECTION_SOLID\n10,11\n" + testing::liquid_and_void(1000, 30) +
+                        follows(type, back) + smoothing("1,0,0,0", 0.05) + "*END\n");
+        std::string all;
+        for (const std::string& notice : run.term<EulerianFluid>().notices(run.scene().state)) all += notice;
+        return all;
+    };
+    EXPECT_NE(notices_with(2, 0.5).find("EFAC of *ALE_REFERENCE_SYSTEM_GROUP has no effect"),
+              std::string::npos);
+    EXPECT_EQ(notices_with(2, 0).find("has no effect"), std::string::npos);
+    EXPECT_EQ(notices_with(8, 0.5).find("has no effect"), std::string::npos);
+}
+
 TEST(AleFollowingMesh, RestartGoesOnWithTheSameBits)
 {
     for (const int type : {2, 8}) {
