@@ -69,8 +69,9 @@ void sum_laminar_forces(Kernel kernel, int dimension, const std::vector<Neighbou
 {
     with_kernel(kernel, [&]<class K>(K) {
         const auto pass = [&](const NeighbourRun& run, ForceSums* sums) {
-            return LaminarForce<Lanes, K>(arrays.motion.data(), arrays.laminar.data(), run.begin, dimension,
-                                          sums);
+            return LaminarForce<Lanes, K>(arrays.motion.data(), arrays.laminar.data(),
+                                          arrays.bend.empty() ? nullptr : arrays.bend.data(),
+                                          arrays.real_count(), run.begin, dimension, sums);
         };
         walk_runs<ForceSums>(runs, pass, take);
     });

@@ -63,11 +63,18 @@ Images::Images(std::span<const MirrorPlane> mirrors, std::span<const PeriodicPai
         if (plane.absorbing) {
             steps_.push_back({{plane.point, plane.normal, turn, shift, identity, identity, {}, true}});
         } else if (plane.no_slip) {
-            steps_.push_back({{plane.point, plane.normal, turn, shift, turn, back, 2.0 * plane.velocity}});
+            steps_.push_back(
+                {{plane.point, plane.normal, turn, shift, turn, back, 2.0 * plane.velocity, false, true}});
         } else {
             steps_.push_back({{plane.point, plane.normal, turn, shift, turn, turn, {}}});
         }
     }
+}
+
+bool Images::any_sticking() const
+{
+    return std::any_of(mirrors_.begin(), mirrors_.end(),
+                       [](const MirrorPlane& plane) { return plane.no_slip && !plane.absorbing; });
 }
 
 bool Images::any_absorbing() const
@@ -86,7 +93,10 @@ Index Images::transform_after(Index first, const Step& step)
                    step.drag * before.carry + step.carry,
                    before.planes,
                    {},
-                   {}};
+                   {},
+                   before.walls + (step.sticks ? 1 : 0),
+                   step.sticks ? -step.normal : step.turn * before.wall_outward,
+                   step.sticks ? step.point : step.turn * before.wall_point + step.shift};
     for (int i = 0; i < before.planes; ++i) {
         both.outward[i] = step.absorbing ? before.outward[i] : step.turn * before.outward[i];
         both.point[i] = step.absorbing ? before.point[i] : step.turn * before.point[i] + step.shift;
@@ -244,6 +254,33 @@ void Images::refresh_all(ParticleArrays& arrays) const
                 turn_tension(transform.flow, from, static_cast<Index>(first + k), arrays);
             }
             if (transform.planes > 0) absorb(transform, from, static_cast<Index>(first + k), arrays);
+        }
+    });
+}
+
+/// With the velocity U of the wall, v of a particle at the distance y from it and its slope v' away from the
+/// wall, the parabola has 4 U - 3 v + 2 y v' at -y, where the mirror image has 2 U - v. The difference is
+/// held within 2 |v - U|, so that a wall that stands never drives the fluid.
+void Images::bend_at_walls(ParticleArrays& arrays) const
+{
+    const std::size_t first = arrays.real_count();
+    arrays.bend.assign(images_.size(), {});
+    for_chunks(images_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Transform& transform = transforms_[images_[k].transform];
+            if (transform.walls != 1) continue;
+            const Index from = images_[k].source;
+            MotionRecord& image = arrays.motion[first + k];
+            const double distance = dot(image.position - transform.wall_point, transform.wall_outward);
+            const Vec3 inward = transpose(transform.turn) * transform.wall_outward;
+            // As the image sees it: it shows the opposite of all motion against the wall.
+            const Vec3 slip = image.velocity - 0.5 * transform.carry;
+            const Vec3 slope = -1.0 * (transform.drag * (arrays.wall_gradient[from] * inward));
+            Vec3 bend = 2.0 * (slip + distance * slope);
+            const double size = norm(bend), largest = 2 * norm(slip);
+            if (size > largest) bend = (largest / size) * bend;
+            arrays.bend[k] = bend;
+            image.velocity += bend;
         }
     });
 }

@@ -75,6 +75,13 @@ public:
     /// Copies motion and push, as pressure and viscosity see walls.
     void refresh_all(ParticleArrays& arrays) const;
 
+    bool any_sticking() const; ///< whether there is a wall without slip
+    /// After refresh_all: what stands behind a wall without slip moves such that the velocity there, the one
+    /// of the particle and its slope there, arrays.wall_gradient, are those of one parabola. Sets
+    /// arrays.bend, by how much this differs from what refresh_all gave. Images in corners of two walls stay
+    /// as they are.
+    void bend_at_walls(ParticleArrays& arrays) const;
+
     /// A particle that has passed a mirror changes places with its image: both go on as before.
     void reflect_passed(ParticleArrays& arrays, State& state) const;
 
@@ -92,6 +99,7 @@ private:
         Matrix3 drag;           ///< velocity -> drag * velocity + carry, as viscosity sees it
         Vec3 carry{};
         bool absorbing = false;
+        bool sticks = false; ///< a wall without slip
     };
     struct Transform {
         Matrix3 turn = Matrix3::identity();
@@ -102,6 +110,8 @@ private:
         int planes = 0;    ///< absorbing ones that it goes through
         Vec3 outward[3]{}; ///< their unit normals, away from the particles, as the image sees them
         Vec3 point[3]{};   ///< and a point of each
+        int walls = 0;     ///< without slip that it goes through
+        Vec3 wall_outward{}, wall_point{}; ///< of the last of them, likewise
     };
     std::vector<MirrorPlane> mirrors_;
     std::vector<PeriodicPair> periods_;

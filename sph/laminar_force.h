@@ -13,10 +13,17 @@ class LaminarForce {
 public:
     /// records    of all particles; the run begins at `first`
     /// viscosity  by sorted place, scaled as pushes are
+    /// bend       by image, see ParticleArrays; may be nullptr
     /// sums       by particle of the run, zeroed; in and out
-    LaminarForce(const MotionRecord* records, const double* viscosity, Index first, int dimension,
-                 ForceSums* sums)
-        : records_(records), viscosity_(viscosity), first_(first), steepness_(dimension), tally_(sums)
+    LaminarForce(const MotionRecord* records, const double* viscosity, const Vec3* bend, Index first_image,
+                 Index first, int dimension, ForceSums* sums)
+        : records_(records),
+          viscosity_(viscosity),
+          bend_(bend),
+          first_image_(first_image),
+          first_(first),
+          steepness_(dimension),
+          tally_(sums)
     {}
 
     void open(Index particle)
@@ -31,17 +38,39 @@ public:
         tally_.add(pair);
         tally_.take_from(places, pair);
     }
-    void outside(const Index* places) { tally_.add(effect(0, places)); }
+    void outside(const Index* places)
+    {
+        PairEffect<Lane> pair = effect(0, places);
+        if (bend_) pair.loss += 0.5 * dot(pair.force, bend_of(places));
+        tally_.add(pair);
+    }
     void close(Index particle) { tally_.close(particle); }
 
 private:
     const MotionRecord* records_;
     const double* viscosity_;
+    const Vec3* bend_;
+    Index first_image_;
     Index first_;
     Steepness<Kernel> steepness_;
     ForceTally<Lane> tally_;
     Moving<Lane> own_;
     Lane own_viscosity_;
+
+    /// Motion against a wall heats the fluid by the force times v - U, which is half of what a mirror image
+    /// without bend differs by.
+    Vector3<Lane> bend_of(const Index* places) const
+    {
+        Vector3<Lane> bend{};
+        for (int l = 0; l < lanes_in<Lane>; ++l) {
+            if (places[l] < first_image_) continue;
+            const Vec3& of_image = bend_[places[l] - first_image_];
+            set_lane(bend.x, l, of_image.x);
+            set_lane(bend.y, l, of_image.y);
+            set_lane(bend.z, l, of_image.z);
+        }
+        return bend;
+    }
 
     template <class Place>
     PairEffect<Lane> effect(Index first, const Place* places) const

@@ -44,6 +44,10 @@ struct ParticleArrays {
     std::vector<double> energy;        ///< internal energy by initial volume [energy/volume]
     std::vector<Vector3<float>> viscous_force; ///< share of viscosity in the last force [force]
     std::vector<float> heat;                   ///< its heating power [energy/time]
+    // Only of laminar fluids beside walls without slip.
+    std::vector<Tensor3<double>> wall_gradient; ///< of the velocity as viscosity sees it [1/time]
+    std::vector<Vec3> bend; ///< of images alone: what the curvature at the wall adds to their motion
+                            ///< [velocity]
     // Only of bodies with boundaries that let waves out.
     std::vector<double> rest_pressure; ///< at the start [stress]
     std::vector<Vec3> rest_velocity;   ///< likewise [velocity]
@@ -113,9 +117,9 @@ struct ParticleArrays {
     void serialise(Archive& archive)
     {
         archive(motion, push, node, part, image, bonded, asleep, own_mass, rate, diffusion, kept_pressure,
-                energy, viscous_force, heat, laminar, rest_pressure, rest_velocity, first_radius, moment,
-                bulk, drift, tension, gradient, correction, stress, history, reach, build_origin,
-                build_rounding, build_position);
+                energy, viscous_force, heat, laminar, wall_gradient, rest_pressure, rest_velocity,
+                first_radius, moment, bulk, drift, tension, gradient, correction, stress, history, reach,
+                build_origin, build_rounding, build_position);
     }
 };
 

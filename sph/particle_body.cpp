@@ -16,20 +16,6 @@ namespace plash {
 
 namespace {
 
-/// Inverse of the moment of a kernel. Particles with too few neighbours to carry a linear field keep the
-/// plain gradient.
-SymmetricTensor<double> gradient_correction(const SymmetricTensor<double>& m)
-{
-    constexpr double smallest_determinant = 0.1; // 1 inside, 1/2 at a flat surface, 1/8 at a corner in space
-    const double xx = m.yy * m.zz - m.yz * m.yz, xy = m.yz * m.zx - m.xy * m.zz,
-                 zx = m.xy * m.yz - m.yy * m.zx;
-    const double determinant = m.xx * xx + m.xy * xy + m.zx * zx;
-    if (!(determinant > smallest_determinant)) return {1, 1, 1, 0, 0, 0};
-    const double per = 1 / determinant;
-    return {per * xx, per * (m.xx * m.zz - m.zx * m.zx), per * (m.xx * m.yy - m.xy * m.xy),
-            per * xy, per * (m.xy * m.zx - m.xx * m.yz), per * zx};
-}
-
 double support_of(Kernel kernel)
 {
     return with_kernel(kernel, []<class K>(K) { return K::support; });
@@ -165,6 +151,7 @@ void ParticleBody::fill_up()
     }
     if (!a.bonded.empty()) a.bonded.resize(count);
     if (!a.laminar.empty()) a.laminar.resize(count);
+    if (!a.wall_gradient.empty()) a.wall_gradient.resize(count);
     if (!a.first_radius.empty()) a.moment.resize(count);
     if (options_.bulk_viscosity) a.bulk.resize(count);
     if (!a.rest_pressure.empty()) {
@@ -248,8 +235,7 @@ void ParticleBody::take_gradient(Index place, double half_step, const GradientSu
 {
     ParticleArrays& a = arrays_;
     double scale = options_.volume_weighted ? 1 : 1 / a.density(place);
-    const double* v = sums.velocity;
-    Tensor3<double> gradient{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]};
+    Tensor3<double> gradient = sums.gradient();
     if (options_.axisymmetric) {
         const double weight = 1 / ring_radius(a.motion[place]);
         gradient.yx *= weight;
@@ -261,12 +247,8 @@ void ParticleBody::take_gradient(Index place, double half_step, const GradientSu
     }
     gradient = scale * gradient;
     if (options_.renormalised) {
-        const double* m = sums.moment;
-        const SymmetricTensor<double> b =
-            gradient_correction({scale * m[0], scale * m[1], options_.dimension == 2 ? 1 : scale * m[2],
-                                 scale * m[3], scale * m[4], scale * m[5]});
-        const Tensor3<double> full{b.xx, b.xy, b.zx, b.xy, b.yy, b.yz, b.zx, b.yz, b.zz};
-        gradient = gradient * full;
+        const SymmetricTensor<double> b = gradient_correction(sums, scale, options_.dimension);
+        gradient = gradient * full_tensor(b);
         a.correction[place] = turned_half(b, half_step * axial_vector(gradient));
     }
     if (options_.axisymmetric) gradient.zz = hoop_rate(a.motion[place], half_step);
@@ -355,6 +337,7 @@ void ParticleBody::search(State& state)
         sort(a.heat);
         sort(a.reach, images);
         if (!a.laminar.empty()) sort(a.laminar, images);
+        if (!a.wall_gradient.empty()) sort(a.wall_gradient);
         if (!a.rest_pressure.empty()) {
             sort(a.rest_pressure);
             sort(a.rest_velocity);

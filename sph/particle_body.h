@@ -193,6 +193,7 @@ private:
     void add_tensile_forces(const Clock& clock, State& state);
     void add_laminar_forces(const Clock& clock, State& state);
     void find_drifts(const State& state);
+    void find_wall_gradients();
     double power_of_walls() const;
     void add_absorbed_work(double half_step);
     void find_absorbed_forces();

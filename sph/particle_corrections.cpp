@@ -61,12 +61,32 @@ void ParticleBody::add_tensile_forces(const Clock& clock, State& state)
                        options_.tensile_repulsion, runs_, arrays_, take);
 }
 
+/// Images behind walls without slip follow from the gradients of the last step, and gradients from how the
+/// images move: so they agree with each other. The first step has mirror images.
 void ParticleBody::add_laminar_forces(const Clock& clock, State& state)
 {
+    const bool sticking = images_.any_sticking();
+    if (sticking && !arrays_.wall_gradient.empty()) images_.bend_at_walls(arrays_);
     const auto take = [&](const NeighbourRun& run, const ForceSums* sums) {
         take_forces(run, sums, 0.5 * clock.last_step, state);
     };
     sum_laminar_forces(options_.kernel, options_.dimension, runs_, arrays_, take);
+    if (sticking) find_wall_gradients();
+}
+
+void ParticleBody::find_wall_gradients()
+{
+    ParticleArrays& a = arrays_;
+    a.wall_gradient.resize(real_count_);
+    const auto take = [&](const NeighbourRun& run, const GradientSums* sums) {
+        for (Index i = 0; i < run.length(); ++i) {
+            const Index p = run.begin + i;
+            const double scale = options_.volume_weighted ? 1 : 1 / a.density(p);
+            a.wall_gradient[p] = (scale * sums[i].gradient()) *
+                                 full_tensor(gradient_correction(sums[i], scale, options_.dimension));
+        }
+    };
+    sum_velocity_gradients(options_.kernel, options_.dimension, 0, runs_, a, take);
 }
 
 /// What sliding walls do: viscous forces between particles take from the motion what they heat, so what

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "math/symmetric_tensor.h"
+#include "math/tensor3.h"
 #include "sph/pairs.h"
 #include "sph/ring_radius.h"
 
@@ -10,8 +12,37 @@ struct alignas(64) GradientSums {
     double velocity[9]; ///< sum of weight_j (v_j - v_i) (grad W_ij)^T, by rows
     double moment[6];   ///< sum of weight_j (x_j - x_i) (grad W_ij)^T: xx, yy, zz, xy, yz, zx
     double spare;
+
+    Tensor3<double> gradient() const
+    {
+        const double* v = velocity;
+        return {v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]};
+    }
 };
 static_assert(sizeof(GradientSums) == 128);
+
+/// Inverse of the moment of a kernel [-]. Particles with too few neighbours to carry a linear field keep the
+/// plain gradient.
+/// scale  1 where weights are volumes, 1 / density where they are masses
+inline SymmetricTensor<double> gradient_correction(const GradientSums& sums, double scale, int dimension)
+{
+    constexpr double smallest_determinant = 0.1; // 1 inside, 1/2 at a flat surface, 1/8 at a corner in space
+    const double* s = sums.moment;
+    const SymmetricTensor<double> m{scale * s[0], scale * s[1], dimension == 2 ? 1 : scale * s[2],
+                                    scale * s[3], scale * s[4], scale * s[5]};
+    const double xx = m.yy * m.zz - m.yz * m.yz, xy = m.yz * m.zx - m.xy * m.zz,
+                 zx = m.xy * m.yz - m.yy * m.zx;
+    const double determinant = m.xx * xx + m.xy * xy + m.zx * zx;
+    if (!(determinant > smallest_determinant)) return {1, 1, 1, 0, 0, 0};
+    const double per = 1 / determinant;
+    return {per * xx, per * (m.xx * m.zz - m.zx * m.zx), per * (m.xx * m.yy - m.xy * m.xy),
+            per * xy, per * (m.xy * m.zx - m.xx * m.yz), per * zx};
+}
+
+inline Tensor3<double> full_tensor(const SymmetricTensor<double>& b)
+{
+    return {b.xx, b.xy, b.zx, b.xy, b.yy, b.yz, b.zx, b.yz, b.zz};
+}
 
 /// Gradient of the velocity by pairs, and what corrects it: `velocity` times the inverse of `moment` is exact
 /// for any linear field (Randles & Libersky 1996; Bonet & Lok 1999). Velocities at n - 1/2 at the positions

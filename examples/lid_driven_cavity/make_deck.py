@@ -4,6 +4,7 @@
     python3 make_deck.py sph --reynolds 100 --side 32 --turns 12 > sph.k
     python3 make_deck.py ale --reynolds 100 --side 32 --turns 20 > ale.k
     python3 make_deck.py ale --reynolds 3200 --side 128 --turns 30 --start 64 results/of_64_with_all > finer.k
+    python3 make_deck.py sph --reynolds 1000 --side 128 --turns 15 --start 64 results/of_64 > finer_sph.k
 
 sph: walls are planes that the fluid sticks to (*PLASH_SPH_WALL). ale: the Eulerian fluid, nodes of the walls held, the
 lid's corners among them (a corner that moves with the lid drives fluid through the wall beside it). Turns: time in sides over the
@@ -11,6 +12,7 @@ lid's speed. A fine mesh comes to its steady state sooner from a coarser one's: 
 --start SIDE DIRECTORY begins with them. judge.py compares the velocities on the centre lines with reference.csv.
 """
 import argparse
+import math
 import os
 import sys
 
@@ -83,7 +85,28 @@ $    eosid        c0        c1
             text_of_particles += f"{number},1,{spacing ** 2:.8g}\n"
     # The plane's other direction is held.
     text += "*BOUNDARY_SPC_SET\n         1         0         0         0         1\n"
+    text += velocities_of_particles(side, *args.start) if args.start else ""
     return text + text_of_nodes + text_of_particles + "*END\n"
+
+
+def velocities_of_particles(side, coarse_side, folder):
+    """Initial velocities: means of the particles of the last three states of a run with other ones, by a kernel."""
+    coarse_side = int(coarse_side)
+    reach, sums = 2.0 / coarse_side, [[0.0, 0.0, 0.0] for _ in range(side * side)]
+    for number, rows in curves.nodes(folder).items():
+        for row in rows[-3:]:
+            x = ((number - 1) % coarse_side + 0.5) / coarse_side + row[1]
+            y = ((number - 1) // coarse_side + 0.5) / coarse_side + row[2]
+            for i in range(max(0, int((x - reach) * side)), min(side, int((x + reach) * side) + 1)):
+                for j in range(max(0, int((y - reach) * side)), min(side, int((y + reach) * side) + 1)):
+                    q = math.hypot((i + 0.5) / side - x, (j + 0.5) / side - y) / reach
+                    if q < 1:
+                        weight, at = (1 - q) ** 4 * (1 + 4 * q), sums[i + side * j]
+                        at[0] += weight
+                        at[1] += weight * row[4]
+                        at[2] += weight * row[5]
+    return "*INITIAL_VELOCITY_NODE\n" + "".join(
+        f"{number},{u / weight:.6g},{v / weight:.6g},0\n" for number, (weight, u, v) in enumerate(sums, 1))
 
 
 def velocities(cells, coarse_cells, folder):
@@ -191,7 +214,7 @@ def main():
     parser.add_argument("--smooth", type=float, default=0.2, help="ale: docs/eulerian.md; 0: plain van Leer")
     parser.add_argument("--all", action="store_true", help="ale: write the velocities of all nodes at the end")
     parser.add_argument("--start", nargs=2, metavar=("SIDE", "DIRECTORY"),
-                        help="ale: begin with the end of a run of SIDE x SIDE cells made with --all")
+                        help="begin with the end of a run of SIDE x SIDE particles, or cells (made with --all)")
     args = parser.parse_args()
     print({"sph": sph, "ale": ale}[args.fluid](args), end="")
 
