@@ -38,6 +38,7 @@ std::unique_ptr<Term> make_shells_of_law(const ShellPart& part, ShellFormulation
     Law law = Law::from_record(material, model);
     ShellSettings settings =
         shell_settings(model, part.part, law.density, law.young_modulus, law.poisson_ratio);
+    if (!settings.membrane) settings.reference_offset -= part.offset_share;
     if constexpr (requires { law.failure_strain; }) settings.points_fail = law.failure_strain > 0;
     if constexpr (requires { law.fractures(); }) settings.points_fail = law.fractures();
     if constexpr (requires { law.shortest_step; }) {

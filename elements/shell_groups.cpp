@@ -5,6 +5,7 @@
 #include "materials/parameters.h"
 
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <utility>
@@ -121,8 +122,23 @@ std::vector<Index> stack_of(const Model& model, Index element)
     return stack;
 }
 
-/// Elements of a part that can be one group: quadrilaterals or triangles, with the same stack of plies.
-using GroupKey = std::pair<bool, std::vector<Index>>;
+/// Elements of a part that can be one group: quadrilaterals or triangles, with the same stack of plies, or
+/// with the same offset.
+struct GroupKey {
+    bool triangle = false;
+    std::vector<Index> stack;
+    double offset_share = 0;
+
+    auto operator<=>(const GroupKey&) const = default;
+};
+
+/// OFFSET of an element over half of its thickness, to seven digits, so that what is equal in the deck is
+/// equal.
+double offset_share(const Model& model, Index element)
+{
+    if (model.shells.offset.empty() || model.shells.offset[element] == 0) return 0;
+    return std::round(2e7 * model.shells.offset[element] / shell_thickness(model, element)) / 1e7;
+}
 
 /// Adds the groups of a part: quadrilaterals, and triangles of their own when they are sorted out (ESORT) or
 /// the section is one of triangles; elements with different stacks of plies make different groups.
@@ -146,13 +162,18 @@ void add_groups(ShellGroupMaker* maker, const ShellPart& all, State& state,
                 fmt::format("formulation 4 is for triangles, but shell {} of part {} has four corners",
                             model.shells.id[element], part.id));
         }
-        const GroupKey key{triangle && sorted, stack_of(model, element)};
-        members.try_emplace(key, ShellPart{model, all.part, {}, all.initial_stresses, all.initial_strains})
+        GroupKey key{triangle && sorted, stack_of(model, element)};
+        if (key.stack.empty() && maker != make_laminate_shells)
+            key.offset_share = offset_share(model, element);
+        members
+            .try_emplace(
+                key,
+                ShellPart{model, all.part, {}, all.initial_stresses, all.initial_strains, key.offset_share})
             .first->second.elements.push_back(element);
     }
     for (const auto& [key, shells] : members) {
-        ShellGroupMaker* make = key.second.empty() ? maker : make_laminate_shells;
-        groups.push_back(make(shells, key.first ? ShellFormulation::triangle : formulation, state));
+        ShellGroupMaker* make = key.stack.empty() ? maker : make_laminate_shells;
+        groups.push_back(make(shells, key.triangle ? ShellFormulation::triangle : formulation, state));
     }
 }
 

@@ -25,13 +25,18 @@ ShellFrame<double> start_frame(const Model& model, Index element)
 }
 
 /// Angle from side 1-2 to the reference direction of a material's axis a, before MANGLE and layer angles.
-double reference_angle(const Model& model, const Record& material, const ShellFrame<double>& frame)
+/// system  MCID of the element, or `none`
+double reference_angle(const Model& model, const Record& material, const ShellFrame<double>& frame,
+                       Index system)
 {
     if (!material.peek("AOPT")) return 0; // isotropic: any direction will do
     const double option = material.real("AOPT");
     Vec3 direction{};
-    if (option == 0) return 0;
-    if (option == 2) {
+    if (system != none) {
+        direction = model.coordinate_systems[system].axes[0];
+    } else if (option == 0) {
+        return 0;
+    } else if (option == 2) {
         direction = {material.real("A1"), material.real("A2"), material.real("A3")};
     } else if (option == 3) {
         direction = cross(Vec3{material.real("V1"), material.real("V2"), material.real("V3")}, frame.e3);
@@ -117,9 +122,11 @@ double ply_modulus(const PlyLaw& ply)
         ply);
 }
 
-double ply_angle(const Model& model, const Record& material, const ShellFrame<double>& frame)
+double ply_angle(const Model& model, const Record& material, const ShellFrame<double>& frame,
+                 double element_angle, Index system)
 {
-    return reference_angle(model, material, frame) + own_angle(material);
+    return reference_angle(model, material, frame, system) +
+           (element_angle != 0 ? element_angle : own_angle(material));
 }
 
 std::vector<PlyPlace> plies_of(const Model& model, Index element)
@@ -130,11 +137,11 @@ std::vector<PlyPlace> plies_of(const Model& model, Index element)
     const double thickness = shell_thickness(model, element);
     const double element_angle =
         model.shells.material_angle.empty() ? 0 : degree * model.shells.material_angle[element];
+    const Index system = model.shells.material_system.empty() ? none : model.shells.material_system[element];
     double offset = -0.5 * thickness * section.real("NLOC");
     if (!model.shells.offset.empty()) offset += model.shells.offset[element];
     const auto angle_of = [&](Index material) {
-        const Record& record = model.materials[material];
-        return ply_angle(model, record, frame) + element_angle;
+        return ply_angle(model, model.materials[material], frame, element_angle, system);
     };
 
     std::vector<PlyPlace> plies;

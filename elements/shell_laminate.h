@@ -98,12 +98,16 @@ PlyLaw ply_law(const Model& model, const Part& part, const Record& material);
 double ply_density(const PlyLaw& ply);
 /// Plane-stress modulus, for wave speed and hourglass control [stress].
 double ply_modulus(const PlyLaw& ply);
-/// Angle from the first axis of a mid-surface to the axis a of a material, with its MANGLE or BETA [radian].
-double ply_angle(const Model& model, const Record& material, const ShellFrame<double>& frame);
+/// Angle from the first axis of a mid-surface to the axis a of a material [radian].
+/// element_angle  BETA of the element; other than zero it goes before MANGLE or BETA of the material [radian]
+/// system         MCID of the element, whose x axis goes before AOPT of the material; `none` without
+double ply_angle(const Model& model, const Record& material, const ShellFrame<double>& frame,
+                 double element_angle, Index system = none);
 
 /// The plies of an element from the bottom: its layers, or the points of the section's rule for a part of one
-/// orthotropic material. Angles: AOPT 0, 2, 3 or a coordinate system of the material, its MANGLE or BETA, the
-/// element's BETA and the angle of the layer (ANGLE of the section with ICOMP = 1).
+/// orthotropic material. Angles: AOPT 0, 2, 3 or a coordinate system of the material (MCID of the element
+/// goes before it), the material's MANGLE or BETA (BETA of the element goes before it) and the angle of the
+/// layer (ANGLE of the section with ICOMP = 1).
 std::vector<PlyPlace> plies_of(const Model& model, Index element);
 
 } // namespace plash

@@ -35,6 +35,8 @@ ShellPlate shell_plate(const Model& model, const Part& part)
     const Record& section = shell_section(model, part);
     ShellPlate plate;
     plate.more_mass = section.real("MAREA");
+    const Id formulation = section.integer("ELFORM", 2);
+    if (formulation != 5 && formulation != 9) plate.reference = section.real("NLOC");
     if (part.material != none) plate.density = model.materials[part.material].real("RO");
     const double first = section.real("T1");
     for (const char* name : {"T1", "T2", "T3", "T4"}) {
@@ -94,7 +96,9 @@ ShellMass shell_mass(const Model& model, Index element, const ShellPlate& plate)
     for (int corner = 0; corner < (triangle ? 3 : 4); ++corner) {
         result.corner_mass[corner] = per_area * result.area / (triangle ? 3 : 4);
     }
-    const double own = result.thickness * result.thickness / 12;
+    result.offset = 0.5 * result.thickness * plate.reference;
+    if (!model.shells.offset.empty()) result.offset -= model.shells.offset[element];
+    const double own = result.thickness * result.thickness / 12 + result.offset * result.offset;
     result.squared_gyration = std::max(own, result.area / 8);
     return result;
 }

@@ -13,6 +13,7 @@ struct ShellMass {
     double thickness = 0;                ///< mean over the corners [length]
     std::array<double, 4> corner_mass{}; ///< [mass]; zero at the repeated corner of a triangle
     double squared_gyration = 0;         ///< rotary inertia over mass at a corner [length^2]
+    double offset = 0; ///< from the middle of the thickness to the nodes, along the normal [length]
 };
 
 /// Corners of an element in the order that the elements use: a triangle repeats its third node last.
@@ -30,6 +31,7 @@ struct ShellPlate {
     double thickness = 0; ///< mean of T1..T4 of the section; 0 for plies [length]
     double more_mass = 0; ///< MAREA [mass/area]
     double density = 0;   ///< of the part's material; 0 for plies [density]
+    double reference = 0; ///< NLOC: 1 nodes on the top surface, -1 on the bottom; 0 for membranes
 };
 ShellPlate shell_plate(const Model& model, const Part& part);
 
@@ -38,8 +40,8 @@ ShellPlate shell_plate(const Model& model, const Part& part);
 double shell_thickness(const Model& model, Index element);
 
 /// Lumped mass of an element: equal shares of density x area x thickness (plus the section's MAREA). Rotary
-/// inertia: the larger of thickness^2 / 12, which is physical, and area / 8, which keeps rotations from
-/// limiting the step (Hughes, Cohen & Haroun 1978; Hallquist 2006, Hughes-Liu shell).
+/// inertia: the larger of thickness^2 / 12 + offset^2, which is physical, and area / 8, which keeps rotations
+/// from limiting the step (Hughes, Cohen & Haroun 1978; Hallquist 2006, Hughes-Liu shell).
 ShellMass shell_mass(const Model& model, Index element);
 ShellMass shell_mass(const Model& model, Index element, const ShellPlate& plate);
 

@@ -23,6 +23,8 @@ struct ShellPart {
     std::vector<Index> elements;                       ///< of the Model
     const InitialStresses* initial_stresses = nullptr; ///< looked at while the group is made
     const InitialStresses* initial_strains = nullptr;  ///< likewise; of what result files show
+    double offset_share =
+        0; ///< OFFSET of all elements over half of their thickness; laminates read their own
 };
 
 /// Where the state of a shell group is kept between steps, and what does not depend on the law: energies, the

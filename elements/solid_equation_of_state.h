@@ -5,6 +5,7 @@
 #include "eos/ideal_gas.h"
 #include "eos/jwl.h"
 #include "eos/linear_polynomial.h"
+#include "eos/murnaghan.h"
 #include "eos/pore_collapse.h"
 #include "eos/tabulated.h"
 #include "eos/tabulated_compaction.h"
@@ -40,6 +41,7 @@ std::unique_ptr<SolidGroup> with_equation_of_state(const Record& card, double de
     if (card.keyword == "EOS_GRUNEISEN") return with(Gruneisen::from_record(card, density));
     if (card.keyword == "EOS_JWL") return with(Jwl::from_record(card, density));
     if (card.keyword == "EOS_IDEAL_GAS") return with(IdealGas::from_record(card, density));
+    if (card.keyword == "EOS_MURNAGHAN") return with(Murnaghan::from_record(card, density));
     if (card.keyword == "EOS_TABULATED") return with(Tabulated::from_record(card, setup.model));
     if (card.keyword == "EOS_TABULATED_COMPACTION")
         return with(TabulatedCompaction::from_record(card, setup.model));
@@ -47,7 +49,7 @@ std::unique_ptr<SolidGroup> with_equation_of_state(const Record& card, double de
     throw DeckError(card.where,
                     fmt::format("*{} {} is not supported for the solids of part {}; there are "
                                 "EOS_LINEAR_POLYNOMIAL, EOS_JWL, EOS_GRUNEISEN, EOS_TABULATED_COMPACTION, "
-                                "EOS_TABULATED, EOS_TENSOR_PORE_COLLAPSE and EOS_IDEAL_GAS",
+                                "EOS_TABULATED, EOS_TENSOR_PORE_COLLAPSE, EOS_MURNAGHAN and EOS_IDEAL_GAS",
                                 card.keyword, card.id, setup.model.parts[setup.part].id));
 }
 

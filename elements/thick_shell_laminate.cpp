@@ -41,7 +41,7 @@ std::vector<ThickPly> thick_plies(const Model& model, Index element)
     const auto& angles = model.thick_shells.material_angle;
     const double own = angles.empty() ? 0 : radians * angles[element];
     const auto angle_of = [&](Index material) {
-        return ply_angle(model, model.materials[material], frame) + own;
+        return ply_angle(model, model.materials[material], frame, own);
     };
 
     std::vector<ThickPly> plies;

@@ -96,7 +96,7 @@ struct OptionLayout {
 };
 
 enum class Treatment : std::uint8_t {
-    read,   ///< translated into the Model; physics does not use it yet
+    read,   ///< translated into the Model; physics does not use it (`reason` may say why)
     run,    ///< honoured
     ignored ///< harmless, see `reason`
 };
@@ -108,7 +108,7 @@ struct KeywordLayout {
     std::vector<CardLayout> cards;
     std::vector<OptionLayout> options; ///< in the order of their lines
     Treatment treatment = Treatment::read;
-    std::string reason;                                              ///< why it may be ignored
+    std::string reason;                                              ///< why it is ignored or refused
     bool all_honoured = false;                                       ///< `run: all`
     std::vector<std::string> honoured;                               ///< fields that physics uses
     std::vector<std::pair<std::string, std::string>> ignored_fields; ///< name, why it changes nothing

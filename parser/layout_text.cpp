@@ -220,6 +220,9 @@ public:
         } else if (take_prefix(text, "ignored:")) {
             body_.treatment = Treatment::ignored;
             body_.reason = text;
+        } else if (take_prefix(text, "refused:")) {
+            body_.treatment = Treatment::read;
+            body_.reason = text;
         } else if (take_prefix(text, "unused ")) {
             unused(text);
         } else if (text == "none") {

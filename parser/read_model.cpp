@@ -420,9 +420,10 @@ std::vector<Message> unsupported_keywords(const Report& report)
     std::vector<Message> messages;
     for (const auto& [name, use] : report.keywords) {
         if (use.status == KeywordStatus::run || use.status == KeywordStatus::ignored) continue;
-        messages.push_back({use.first, name, "",
-                            use.status == KeywordStatus::unknown ? "unknown keyword"
-                                                                 : "read, but this physics is not run yet"});
+        std::string why = use.status == KeywordStatus::unknown ? "unknown keyword"
+                          : use.reason.empty()                 ? "read, but this physics is not run yet"
+                                                               : "not supported: " + use.reason;
+        messages.push_back({use.first, name, "", std::move(why)});
     }
     std::sort(messages.begin(), messages.end(), [](const Message& a, const Message& b) {
         return std::pair(a.where.file, a.where.line) < std::pair(b.where.file, b.where.line);

@@ -1,4 +1,5 @@
 #include "elements/shell_groups.h"
+#include "elements/shell_laminate.h"
 #include "solver/explicit_loop.h"
 #include "tests/support/shell_model.h"
 
@@ -89,6 +90,88 @@ TEST(ShellLaminate, OwnPliesOfElementsCountBeforeThoseOfThePart)
     EXPECT_DOUBLE_EQ(results.shell_thickness[13], 1.5);
     const double mass = std::accumulate(scene.state.mass.begin(), scene.state.mass.end(), 0.0);
     EXPECT_NEAR(mass, 1e-5 * (20 * 2 * 1 + 20 * 2 * 1.5), 1e-15);
+}
+
+/// *ELEMENT_SHELL_BETA and _MCID: an angle of the element goes before that of the material, a coordinate
+/// system before AOPT.
+TEST(ShellLaminate, AnglesAndSystemsOfElementsGoBeforeThoseOfTheMaterial)
+{
+    Model model = strip({{0, 0.5, 10}, {0, 0.5, 0}}, 2);
+    model.materials[0].fields.push_back({"MANGLE", 30, "", true, false, {}});
+    CoordinateSystem turned;
+    turned.id = 1;
+    turned.axes = {Vec3{0, 1, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}};
+    model.coordinate_systems.push_back(turned);
+    model.shells.material_angle.resize(20);
+    model.shells.material_angle[1] = 45;
+    model.shells.material_system.assign(20, none);
+    model.shells.material_system[2] = 0;
+    const auto degrees = [&](Index element, int ply) {
+        return plies_of(model, element)[ply].angle * 180 / std::numbers::pi;
+    };
+    EXPECT_NEAR(degrees(0, 0), 40, 1e-12);
+    EXPECT_NEAR(degrees(0, 1), 30, 1e-12);
+    EXPECT_NEAR(degrees(1, 0), 55, 1e-12);
+    EXPECT_NEAR(degrees(2, 0), 90 + 30 + 10, 1e-12);
+}
+
+/// *ELEMENT_SHELL_OFFSET: half of the thickness along the normal is what NLOC = -1 of the section says, also
+/// where elements of a part have offsets and thicknesses of their own.
+TEST(ShellOffset, OfElementsIsThatOfTheSection)
+{
+    const auto tip = [](double nloc, bool own) {
+        Model model = shell_model(make_record("MAT_ELASTIC", {{"RO", 1e-5}, {"E", 100}, {"PR", 0.3}}),
+                                  {{"ELFORM", 2}, {"NIP", 3}, {"T1", 1}, {"NLOC", nloc}});
+        add_grid(model, 8, 1, [](int i, int j) { return Vec3{1.0 * i, 1.0 * j, 0}; });
+        hold(model, {0, 9}, 63);
+        model.nodal_loads.push_back({{8, 17}, {1, 0, 0}, false, none, 1e-3, {}});
+        model.controls.time.end_time = 0.2;
+        if (own) {
+            model.shells.offset.assign(8, 0.5);
+            model.shells.thickness.assign(8, {});
+            model.shells.thickness[3] = {2, 2, 2, 2};
+            model.shells.offset[3] = 1;
+        } else {
+            model.shells.thickness.assign(8, {});
+            model.shells.thickness[3] = {2, 2, 2, 2};
+        }
+        Scene scene = make_scene(model);
+        Recorders recorders;
+        const Outcome outcome = run(scene, recorders);
+        EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
+        return scene.state.position[8] - model.nodes.position[8];
+    };
+    const Vec3 section = tip(-1, false), element = tip(0, true), middle = tip(0, false);
+    EXPECT_EQ(element.z, section.z);
+    EXPECT_EQ(element.x, section.x);
+    EXPECT_NEAR(middle.z, 0, 1e-15);
+    EXPECT_GT(std::abs(element.z), 0.1 * element.x);
+}
+
+/// Plates with the nodes on a surface: stretching and bending are coupled, which with the rotary inertia of
+/// area / 8 alone takes the frequency of thick ones beyond that of the step.
+TEST(ShellOffset, OfThickPlatesIsStable)
+{
+    for (double formulation : {2, 16}) {
+        for (double thickness : {0.3, 0.5, 1.0}) {
+            Model model = shell_model(make_record("MAT_ELASTIC", {{"RO", 1e-5}, {"E", 100}, {"PR", 0.3}}),
+                                      {{"ELFORM", formulation}, {"NIP", 3}, {"T1", thickness}, {"NLOC", 1}});
+            add_grid(model, 2, 2, [](int i, int j) { return Vec3{1.0 * i, 1.0 * j, 0}; });
+            for (Index node = 0; node < 9; ++node) {
+                InitialVelocity start;
+                start.nodes = {node};
+                start.translation =
+                    1e-4 * Vec3{std::sin(3.0 * node), std::sin(5.0 * node), std::sin(7.0 * node)};
+                model.initial_velocities.push_back(start);
+            }
+            model.controls.time.end_time = 1;
+            Scene scene = make_scene(model);
+            Recorders recorders;
+            const Outcome outcome = run(scene, recorders);
+            EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
+            EXPECT_LT(scene.ledger.balance_error(), 1e-4) << formulation << ' ' << thickness;
+        }
+    }
 }
 
 TEST(ShellMembrane, HasNoBendingStiffness)
