@@ -80,16 +80,15 @@ double ring_strain(const char* law, double formulation)
     return std::log(1 + way / radius);
 }
 
-/// Half of a clamped panel of 120 degrees whose middle 90 degrees are thrown inwards over 10.205 of 12.56 in
-/// from one end; its ends move along their axis (Balmer & Witmer 1964, as retold).
-Throw panel(double formulation)
+/// Half of a panel of 120 degrees whose middle 60 degrees are thrown inwards over 10.205 of 12.56 in from one
+/// end; sides clamped, ends free to move along the axis and to turn (Balmer & Witmer 1964, as retold).
+Throw panel(double formulation, int across, int along)
 {
     constexpr double radius = 2.9375, thickness = 0.125, length = 12.56, speed = 5650;
-    constexpr int across = 16, along = 32;
     Model model = shell_model(ideally_plastic("MAT_PIECEWISE_LINEAR_PLASTICITY"),
                               {{"ELFORM", formulation}, {"NIP", 5}, {"SHRF", 5.0 / 6}, {"T1", thickness}});
     model.controls.elements.warping = 1;
-    const auto angle = [](int i) { return std::numbers::pi / 3 * i / across; };
+    const auto angle = [across](int i) { return std::numbers::pi / 3 * i / across; };
     add_grid(model, across, along, [&](int i, int j) {
         return Vec3{radius * std::sin(angle(i)), length * j / along, radius * std::cos(angle(i))};
     });
@@ -99,7 +98,7 @@ Throw panel(double formulation)
         for (int i = 0; i <= across; ++i) {
             const Index node = j * (across + 1) + i;
             const Vec3& x = model.nodes.position[node];
-            if (4 * i <= 3 * across && x.y < 10.21) velocity[node] = (-speed / radius) * Vec3{x.x, 0, x.z};
+            if (2 * i <= across && x.y < 10.21) velocity[node] = (-speed / radius) * Vec3{x.x, 0, x.z};
             if (i == 0) crown.push_back(node);
             if (i == across) sides.push_back(node);
             if (j == 0 || j == along) ends.push_back(node);
@@ -123,14 +122,17 @@ TEST(ImpulsiveShells, ARingStopsAtTheStrainOfItsEnergy)
     }
 }
 
-/// The 1.25 in that are retold of the experiment do not go with these supports (nor with others that were
-/// tried, docs/shells.md), so that formulations have to agree.
-TEST(ImpulsiveShells, FormulationsAgreeOnACylindricalPanel)
+/// 1.25 in are retold of the experiment and 1.18 to 1.28 in of other programs' shells, at the middle of the
+/// crown. A patch of 90 degrees, as it is retold too, gives 0.28 in on the coarse mesh and 0.57 on the fine
+/// one.
+TEST(ImpulsiveShells, ACylindricalPanelGivesWayAsMeasured)
 {
-    const Throw one_point = panel(2), full = panel(16);
-    EXPECT_NEAR(one_point.largest, full.largest, 0.02 * full.largest);
-    EXPECT_NEAR(one_point.last, full.last, 0.03 * full.last);
-    EXPECT_GT(full.last, 0.4);
+    for (const auto& [across, along] : {std::pair(8, 16), std::pair(16, 32)}) {
+        const Throw one_point = panel(2, across, along), full = panel(16, across, along);
+        EXPECT_NEAR(one_point.largest, 1.25, 0.06 * 1.25) << across;
+        EXPECT_NEAR(full.largest, one_point.largest, 0.01 * one_point.largest) << across;
+        EXPECT_NEAR(full.last, one_point.last, 0.03 * one_point.last) << across;
+    }
 }
 
 } // namespace plash
