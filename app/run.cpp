@@ -156,6 +156,25 @@ void summarise_model(const Scene& scene, const std::string& directory)
     write_d3hsp(directory, scene.model, masses, std::move(results.steps));
 }
 
+/// "1452 nodes, 100 shells, 2 parts": what there is of each kind.
+std::string sizes_of(const Model& model)
+{
+    std::string text;
+    const auto add = [&](std::size_t count, std::string_view kind) {
+        if (count == 0) return;
+        text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", count, kind, count == 1 ? "" : "s");
+    };
+    add(model.nodes.size(), "node");
+    add(model.shells.size(), "shell");
+    add(model.thick_shells.size(), "thick shell");
+    add(model.solids.size(), "solid");
+    add(model.beams.size(), "beam");
+    add(model.discretes.size(), "discrete element");
+    add(model.particles.size(), "particle");
+    add(model.parts.size(), "part");
+    return text;
+}
+
 /// As asked for, or where the restart file lies, or results/DECK.
 std::string results_directory(const RunArguments& arguments, const std::filesystem::path& restart_from)
 {
@@ -206,8 +225,7 @@ int run_deck(const RunArguments& arguments)
     log.open(directory, !restart_from.empty());
     log.say(fmt::format("Plash {}: {}, {} thread{}", PLASH_VERSION, arguments.deck, omp_get_max_threads(),
                         omp_get_max_threads() == 1 ? "" : "s"));
-    log.say(fmt::format("  {} nodes, {} shells, {} solids, {} parts; results in {}", model.nodes.size(),
-                        model.shells.size(), model.solids.size(), model.parts.size(), directory));
+    log.say(fmt::format("  {}; results in {}", sizes_of(model), directory));
     for (const auto& [name, added] : scene->masses.added) {
         log.say(fmt::format("  mass scaling adds {:.4g} to {}", added, name));
     }

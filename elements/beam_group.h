@@ -19,7 +19,7 @@ public:
 
     void serialise(Archive& archive) override { store_.serialise(archive); }
     void begin_phase(bool, State&) override { store_.begin_phase(); }
-    std::string_view name() const override { return "beams"; }
+    std::string_view name() const override { return store_.name; }
     std::size_t items() const override { return store_.patches.element_count; }
     StepVote stable_step() const override { return store_.vote(); }
     double scale_mass(double step, bool only_small, State& state) override

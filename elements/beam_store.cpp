@@ -58,6 +58,7 @@ BeamStore::BeamStore(const BeamPart& its, const State& state, BeamSettings its_s
                      PointLayout points, std::span<const double> initial_history)
     : model(its.model),
       part(its.part),
+      name(fmt::format("beams of part {}", model.parts[its.part].id)),
       settings(std::move(its_settings)),
       patches(cut_beams(its, state)),
       sums(patches.patches.size()),

@@ -9,6 +9,7 @@
 #include "model/model.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace plash {
@@ -45,6 +46,7 @@ public:
 
     const Model& model;
     Index part;
+    std::string name; ///< as lists of terms show it
     BeamSettings settings;
     Patches patches;
     std::vector<PatchSums> sums; ///< by patch

@@ -21,7 +21,7 @@ public:
         store_.add_masses(state);
     }
 
-    std::string_view name() const override { return "shells"; }
+    std::string_view name() const override { return store_.name; }
     std::size_t items() const override { return store_.patches.element_count; }
     StepVote stable_step() const override { return store_.vote(); }
     double scale_mass(double step, bool only_small, State& state) override

@@ -99,6 +99,7 @@ ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings i
                        std::span<const double> initial_history, Index plastic_strain)
     : model(its.model),
       part(its.part),
+      name(fmt::format("shells of part {}", model.parts[its.part].id)),
       settings(std::move(its_settings)),
       plate(shell_plate(model, model.parts[its.part])),
       patches(cut_shells(its, state)),

@@ -12,6 +12,7 @@
 #include "model/model.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace plash {
@@ -49,6 +50,7 @@ public:
 
     const Model& model;
     Index part;
+    std::string name; ///< as lists of terms show it
     ShellSettings settings;
     ShellPlate plate;
     Patches patches;
