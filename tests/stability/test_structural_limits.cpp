@@ -157,4 +157,29 @@ TEST(StructuralLimits, AStepThatCollapsesEndsTheRunInOrder)
     EXPECT_LT(run.scene->ledger.balance_error(), 1e-3);
 }
 
+/// ENDENG of *CONTROL_TERMINATION: a step that is too long feeds the swing of a shell.
+TEST(StructuralLimits, EnergyFromNowhereEndsTheRunInOrder)
+{
+    DeckRun run(
+        "*KEYWORD\n*CONTROL_TERMINATION\n1,0,0,5\n*CONTROL_TIMESTEP\n0,1.3\n*SECTION_SHELL\n1,16,0.8333,3\n"
+        "0.1,0.1,0.1,0.1\n*MAT_ELASTIC\n1,1e-5,100,0.3\n*PART\nsheet\n1,1,1\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,"
+        "0\n"
+        "4,0,1,0\n*ELEMENT_SHELL\n1,1,1,2,3,4\n*INITIAL_VELOCITY_NODE\n2,1e-4\n3,1e-4,1e-4\n4,0,1e-4\n*"
+        "END\n");
+    run.go();
+    EXPECT_LT(run.outcome.clock.time, 0.5);
+    EXPECT_NE(run.outcome.message.find("(ENDENG)"), std::string::npos) << run.outcome.message;
+}
+
+/// ENDMAS: mass scaling adds more than the deck allows.
+TEST(StructuralLimits, TooMuchAddedMassEndsTheRunInOrder)
+{
+    std::string deck = swinging_cantilever("6,1.0", "*CONTROL_TIMESTEP\n0,0.9,0,0,-0.01\n");
+    deck.replace(deck.find("*CONTROL_TERMINATION\n40\n"), 24, "*CONTROL_TERMINATION\n40,0,0,0,3\n");
+    DeckRun run(deck);
+    run.go();
+    EXPECT_LT(run.outcome.clock.time, 0.1);
+    EXPECT_NE(run.outcome.message.find("(ENDMAS)"), std::string::npos) << run.outcome.message;
+}
+
 } // namespace plash

@@ -330,6 +330,31 @@ TEST(PrescribedMotion, BeginsItsCurveAtItsBirth)
     EXPECT_NEAR(run_to_end(model).state.position[0].x, 2 * 0.6, 0.003); // within a step
 }
 
+/// VAD 0, 1, 2: x = t^2 as velocity 2 t at n + 1/2, as acceleration 2 at n and as displacement at n + 1.
+TEST(PrescribedMotion, FollowsVelocityAccelerationAndDisplacement)
+{
+    using Kind = PrescribedMotion::Kind;
+    const std::pair<Kind, Curve> ways[] = {{Kind::velocity, Curve{{0, 2}, {0, 4}}},
+                                           {Kind::acceleration, Curve{{0, 2}, {2, 2}}},
+                                           {Kind::displacement, Curve{{0, 0.5, 1, 1.5}, {0, 0.25, 1, 2.25}}}};
+    for (const auto& [kind, curve] : ways) {
+        Model model = point_masses({{0, 0, 0}}, 1.0, 1.0, 1024);
+        model.curves.push_back({9, "", {}, curve});
+        PrescribedMotion motion;
+        motion.nodes = {0};
+        motion.direction = {1, 0, 0};
+        motion.kind = kind;
+        motion.curve = static_cast<Index>(model.curves.size()) - 1;
+        model.prescribed_motions.push_back(motion);
+        Scene scene = make_scene(model);
+        Recorders nobody;
+        const double time = run(scene, nobody).clock.time;
+        const double exact = kind == Kind::displacement ? 1 + 2.5 * (time - 1) : time * time;
+        // Velocities are those of half a step later, accelerations begin with half a step.
+        EXPECT_NEAR(scene.state.position[0].x, exact, kind == Kind::displacement ? 1e-12 : 1e-6) << int(kind);
+    }
+}
+
 TEST(Terminations, EndTheRunAtACoordinateAndAtACurve)
 {
     Model model = point_masses({{0, 0, 0}}, 1.0, 1.0, 1024);
