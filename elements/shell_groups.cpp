@@ -4,6 +4,7 @@
 #include "elements/shell_mass.h"
 #include "materials/parameters.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -123,11 +124,12 @@ std::vector<Index> stack_of(const Model& model, Index element)
 }
 
 /// Elements of a part that can be one group: quadrilaterals or triangles, with the same stack of plies, or
-/// with the same offset.
+/// with the same offset; those that are joined to no other shell by themselves.
 struct GroupKey {
     bool triangle = false;
     std::vector<Index> stack;
     double offset_share = 0;
+    bool alone = false;
 
     auto operator<=>(const GroupKey&) const = default;
 };
@@ -140,9 +142,24 @@ double offset_share(const Model& model, Index element)
     return std::round(2e7 * model.shells.offset[element] / shell_thickness(model, element)) / 1e7;
 }
 
+/// Which nodes have more than one shell.
+std::vector<bool> shared_nodes(const Model& model)
+{
+    std::vector<bool> seen(model.nodes.size()), shared(model.nodes.size());
+    for (Index element = 0; element < static_cast<Index>(model.shells.size()); ++element) {
+        const std::array<Index, 4> nodes = shell_corners(model, element);
+        const int corners = nodes[2] == nodes[3] ? 3 : 4;
+        for (int corner = 0; corner < corners; ++corner) {
+            if (seen[nodes[corner]]) shared[nodes[corner]] = true;
+            seen[nodes[corner]] = true;
+        }
+    }
+    return shared;
+}
+
 /// Adds the groups of a part: quadrilaterals, and triangles of their own when they are sorted out (ESORT) or
 /// the section is one of triangles; elements with different stacks of plies make different groups.
-void add_groups(ShellGroupMaker* maker, const ShellPart& all, State& state,
+void add_groups(ShellGroupMaker* maker, const ShellPart& all, const std::vector<bool>& shared, State& state,
                 std::vector<std::unique_ptr<Term>>& groups)
 {
     const Model& model = all.model;
@@ -165,10 +182,15 @@ void add_groups(ShellGroupMaker* maker, const ShellPart& all, State& state,
         GroupKey key{triangle && sorted, stack_of(model, element)};
         if (key.stack.empty() && maker != make_laminate_shells)
             key.offset_share = offset_share(model, element);
+        key.alone = std::none_of(nodes.begin(), nodes.end(), [&](Index node) { return shared[node]; });
         members
-            .try_emplace(
-                key,
-                ShellPart{model, all.part, {}, all.initial_stresses, all.initial_strains, key.offset_share})
+            .try_emplace(key, ShellPart{model,
+                                        all.part,
+                                        {},
+                                        all.initial_stresses,
+                                        all.initial_strains,
+                                        key.offset_share,
+                                        key.alone})
             .first->second.elements.push_back(element);
     }
     for (const auto& [key, shells] : members) {
@@ -187,6 +209,7 @@ std::vector<std::unique_ptr<Term>> make_shell_groups(const Model& model, State& 
     }
     const InitialStresses initial_stresses = initial_shell_stresses(model);
     const InitialStresses initial_strains = initial_shell_strains(model);
+    const std::vector<bool> shared = shared_nodes(model);
     std::vector<std::unique_ptr<Term>> groups;
     for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part) {
         if (elements[part].empty()) continue;
@@ -198,7 +221,7 @@ std::vector<std::unique_ptr<Term>> make_shell_groups(const Model& model, State& 
         if (!maker) continue;
         state.need_rotation();
         add_groups(maker, {model, part, std::move(elements[part]), &initial_stresses, &initial_strains},
-                   state, groups);
+                   shared, state, groups);
     }
     return groups;
 }

@@ -113,6 +113,11 @@ ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings i
     const int point_count = plane_points_ * settings.rule.size();
     record_size_ = points + static_cast<std::size_t>(point_count) * point_size_;
     settings.column_share = 1.0 / plane_points_;
+    if (its.alone) {
+        constexpr double margin = 0.98;
+        step_share =
+            std::min(1.0, margin / (model.controls.time.step_scale * std::sqrt(1 + settings.poisson_ratio)));
+    }
     if (model.controls.output.strains()) {
         settings.strain_place = static_cast<int>(record_size_);
         record_size_ += 12;
@@ -254,7 +259,7 @@ double ShellStore::scale_mass(double step, bool only_small, State& state)
         for (int lane = 0; lane < lane_count; ++lane) {
             const Index element = patches.elements[batch * lane_count + lane];
             const double length = std::sqrt(squared_length_of(model, state, element, settings.length_rule));
-            const double ratio = step * settings.wave_speed / length;
+            const double ratio = step * settings.wave_speed / (step_share * length);
             if (only_small && ratio <= 1) continue;
             factors[lane] = ratio * ratio;
             if (lane < patches.active_lanes(batch)) added += add_mass(element, factors[lane] - 1, state);
@@ -270,7 +275,7 @@ StepVote ShellStore::vote() const
         if (!shortest || patch.squared_length < shortest->squared_length) shortest = &patch;
     }
     if (!shortest || shortest->squared_length >= eroded_length) return StepVote::nothing();
-    return {std::sqrt(shortest->squared_length) / settings.wave_speed, "shell",
+    return {step_share * std::sqrt(shortest->squared_length) / settings.wave_speed, "shell",
             model.shells.id[patches.elements[shortest->place]], model.parts[part].id};
 }
 
@@ -337,7 +342,7 @@ void ShellStore::collect_steps(const State& state, ElementResults& results) cons
             const double factor = record(batch)[shell_record::mass_factor][lane];
             const double length = squared_length_of(model, state, element, settings.length_rule);
             add_step(results, {"shell", model.shells.id[element], model.parts[part].id,
-                               std::sqrt(factor * length) / settings.wave_speed});
+                               step_share * std::sqrt(factor * length) / settings.wave_speed});
         }
     }
 }

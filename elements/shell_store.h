@@ -25,7 +25,8 @@ struct ShellPart {
     const InitialStresses* initial_stresses = nullptr; ///< looked at while the group is made
     const InitialStresses* initial_strains = nullptr;  ///< likewise; of what result files show
     double offset_share =
-        0; ///< OFFSET of all elements over half of their thickness; laminates read their own
+        0;              ///< OFFSET of all elements over half of their thickness; laminates read their own
+    bool alone = false; ///< its elements share their nodes with no other shell
 };
 
 /// Where the state of a shell group is kept between steps, and what does not depend on the law: energies, the
@@ -51,6 +52,9 @@ public:
     const Model& model;
     Index part;
     std::string name; ///< as lists of terms show it
+    /// Part of the plate wave's step that elements on their own bear: they swell and shrink as a whole, with
+    /// omega^2 = 4 c^2 (1 + nu) / l^2 when square. 1 where TSSFAC leaves room for that.
+    double step_share = 1;
     ShellSettings settings;
     ShellPlate plate;
     Patches patches;
