@@ -128,16 +128,6 @@ std::vector<Index> spatial_order(std::span<const Vec3> place)
     return order;
 }
 
-bool presses_by_segments(const Contact& contact)
-{
-    using Kind = Contact::Kind;
-    const bool surfaces = contact.kind == Kind::single_surface || contact.kind == Kind::two_way ||
-                          contact.kind == Kind::one_way;
-    const auto is_named = [&](const char* part) { return contact.keyword.find(part) != std::string::npos; };
-    return contact.soft == 2 && surfaces && !contact.constraint && contact.tie.method == Tie::Method::none &&
-           contact.slave.kind != ContactSide::Kind::nodes && !is_named("NODES_TO") && !is_named("BEAMS_TO");
-}
-
 ContactMesh make_contact_mesh(const Contact& contact, const Surface& slave, const Surface& master,
                               std::span<const Vec3> position)
 {

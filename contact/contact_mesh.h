@@ -99,10 +99,6 @@ private:
 /// Numbers 0 .. count - 1 with neighbours in space beside one another, in runs of eight.
 std::vector<Index> spatial_order(std::span<const Vec3> place);
 
-/// Whether segments press on segments: SOFT = 2 of surfaces (not of nodes or beams) that neither stick nor
-/// are held by constraints.
-bool presses_by_segments(const Contact& contact);
-
 /// Joins the two sides of a contact: which nodes act on which facets follows from its kind. Single surface:
 /// `master` is empty.
 ContactMesh make_contact_mesh(const Contact& contact, const Surface& slave, const Surface& master,

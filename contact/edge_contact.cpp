@@ -407,12 +407,13 @@ double EdgeContact::stiffness_of(const EdgeTouch& touch) const
     const double penalty = contact_.penalty_scale *
                            unscaled_stiffness(1, std::min(a.stiffness, b.stiffness) > 0 ? a.stiffness : 0,
                                               std::max(b.stiffness, b.stiffness > 0 ? 0 : a.stiffness));
-    if (soft_step_ == 0 || (contact_.soft == 0 && penalty > 0)) return penalty;
+    const double scale = contact_.edge_stiffness_scale;
+    if (soft_step_ == 0 || (contact_.soft == 0 && penalty > 0)) return scale * penalty;
     double smallest = 1e300;
     for (Index end : ends_[touch.first]) smallest = std::min(smallest, mass_[end]);
     for (Index end : ends_[touch.second]) smallest = std::min(smallest, mass_[end]);
-    const double scale = contact_.soft == 2 ? contact_.penalty_scale : contact_.soft_scale;
-    return std::max(penalty, 0.5 * scale * smallest / (soft_step_ * soft_step_));
+    const double share = contact_.soft == 2 ? contact_.penalty_scale : contact_.soft_scale;
+    return scale * std::max(penalty, 0.5 * share * smallest / (soft_step_ * soft_step_));
 }
 
 /// The contact's own, or with FS = -1 the mean of the parts' (*PART_CONTACT).

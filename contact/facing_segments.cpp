@@ -263,7 +263,19 @@ double FacingSegments::areal_stiffness(Index a, Index b, double step) const
     if (!(first > 0) || !(second > 0) || step == 0) return 0;
     const double scale = 0.5 * (options_.stiffness_scale[mesh_.facets[a].belongs - 1] +
                                 options_.stiffness_scale[mesh_.facets[b].belongs - 1]);
-    return scale * first * second / (first + second) / (step * step);
+    return part_scale(a, b) * scale * first * second / (first + second) / (step * step);
+}
+
+/// SSF of *PART_CONTACT: LS-DYNA takes that of the segment that it tracks, or the larger one (SSFTYP = 1).
+/// Here both of a pair are tracked.
+double FacingSegments::part_scale(Index a, Index b) const
+{
+    if (options_.part_scale.empty()) return 1;
+    const auto of = [&](Index facet) {
+        const Index part = mesh_.facets[facet].part;
+        return part == none ? 1.0 : options_.part_scale[part];
+    };
+    return options_.larger_part_scale ? std::max(of(a), of(b)) : 0.5 * (of(a) + of(b));
 }
 
 const FacingTouch* FacingSegments::touch_between(const std::vector<FacingTouch>& touches, Index a, Index b)
@@ -406,7 +418,9 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, const Fa
     touch.weight = goes_on ? old->weight : weight;
     const double not_deeper = (1 + 1e-12) * touch.penetration; // but for round-off
     if (old) {
-        touch.baseline = std::min(old->baseline, not_deeper);
+        touch.from_start = old->from_start;
+        const double kept = old->from_start ? 1 : 1 - options_.baseline_decay;
+        touch.baseline = std::min(kept * old->baseline, not_deeper);
         touch.rounding = old->rounding;
         // A pair that is new grows from nothing, and so does its friction.
         if (old->first == pair.first && old->second == pair.second) touch.friction = old->friction;
@@ -421,10 +435,11 @@ bool FacingSegments::touch_of(const ContactMotion& motion, double step, const Fa
         if (sided && motion.last_step > 0 && distance < 0 &&
             distance + motion.last_step * closing < -0.1 * depth)
             return false; // they come from within
+        touch.from_start = motion.last_step == 0;
         touch.baseline = std::max(0.0, not_deeper - 1.5 * approach);
         touch.rounding = approach;
     }
-    apply_law(motion, areal_stiffness(pair.first, pair.second, step), overlap, touch);
+    apply_law(motion, areal_stiffness(pair.first, pair.second, step), overlap, candidate, at_a, at_b, touch);
     return true;
 }
 
@@ -445,7 +460,8 @@ double FacingSegments::lateral_share(Index a, Index b, double along) const
 
 /// Forces of a touch: those of its energy, with damping and friction at the pressure's shares of the corners.
 void FacingSegments::apply_law(const ContactMotion& motion, double stiffness, const SegmentOverlap& overlap,
-                               FacingTouch& touch) const
+                               const FacingCandidate& candidate, const SegmentOverlap::Corners& at_a,
+                               const SegmentOverlap::Corners& at_b, FacingTouch& touch) const
 {
     const PressFacet &a = mesh_.facets[touch.first], &b = mesh_.facets[touch.second];
     const double first_standing = standing_[touch.first], second_standing = standing_[touch.second];
@@ -453,8 +469,7 @@ void FacingSegments::apply_law(const ContactMotion& motion, double stiffness, co
     law.first_size = a.size * a.size;
     law.second_size = b.size * b.size;
     law.first_share = second_standing / (first_standing + second_standing);
-    const Vec3 first_normal = normal_of(motion, touch.first), second_normal = normal_of(motion, touch.second);
-    law.lateral = lateral_share(touch.first, touch.second, dot(first_normal, second_normal));
+    law.lateral = lateral_share(touch.first, touch.second, candidate.along);
     const auto load = overlap.load(law);
     touch.first_share = load.first;
     touch.second_share = load.second;
@@ -463,9 +478,8 @@ void FacingSegments::apply_law(const ContactMotion& motion, double stiffness, co
     touch.area = load.area;
     touch.stiffness = load.stiffness;
     if (load.force > 0 && law.lateral > 0) {
-        const auto at_a = corners_of(motion, a), at_b = corners_of(motion, b);
-        MeanNormal(at_a, std::copysign(first_standing, dot(first_normal, touch.normal)), at_b,
-                   std::copysign(second_standing, dot(second_normal, touch.normal)))
+        MeanNormal(at_a, std::copysign(first_standing, dot(candidate.first_normal, touch.normal)), at_b,
+                   std::copysign(second_standing, dot(candidate.second_normal, touch.normal)))
             .add_turning(load.moment, touch.on_first, touch.on_second);
     }
     const Vec3 velocity =
@@ -486,7 +500,8 @@ void FacingSegments::apply_law(const ContactMotion& motion, double stiffness, co
         const double speed = motion.last_step > 0 ? norm(slip) / motion.last_step : 0;
         double limit = options_.friction_scale * friction.coefficient(speed) * touch.pressing;
         if (friction.shear_cap > 0) limit = std::min(limit, friction.shear_cap * load.area);
-        touch.friction = friction_force(before, touch.normal, slip, touch.stiffness, limit);
+        const double stiffness = options_.friction_stiffness_scale * touch.stiffness;
+        touch.friction = friction_force(before, touch.normal, slip, stiffness, limit);
     }
     const Vec3 more = (touch.pressing - load.force) * touch.normal + touch.friction;
     touch.force = {};

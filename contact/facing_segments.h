@@ -24,6 +24,7 @@ struct FacingTouch {
     Vec3 friction{};                                     ///< tangential force on the first [force]
     Vec3 force{};                                        ///< whole force on the first [force]
     double friction_loss = 0;                            ///< what friction took in the last step [energy]
+    bool from_start = false; ///< its baseline is that of a penetration before the first cycle
 };
 
 /// Contact of segments with segments (SOFT = 2).
@@ -48,6 +49,10 @@ public:
         double friction_scale = 1;               ///< FSF
         bool two_sided = false;                  ///< one surface against another: no touches within one
         bool mixed_friction = false;             ///< FS = -1: mean of both parts' values
+        double baseline_decay = 0;               ///< DPRFAC: share of a baseline that goes in a cycle
+        double friction_stiffness_scale = 1;     ///< FRICSF
+        std::vector<double> part_scale;          ///< SSF by part; empty: all 1
+        bool larger_part_scale = false;          ///< SSFTYP = 1: the larger one counts, else their mean
     };
 
     FacingSegments(const ContactMesh& mesh, const Options& options, std::vector<Friction> frictions,
@@ -61,6 +66,14 @@ public:
     void clear();
 
     const std::vector<FacingTouch>& touches() const { return now_; }
+    /// Masses per area of all facets, once those of the nodes are known (PSTIFF).
+    void set_area_mass(std::vector<double> area_mass) { area_mass_ = std::move(area_mass); }
+    /// What a node gets of a touch's stiffness, for the stable step: the stiffer way, along the normal or
+    /// across.
+    double step_stiffness(const FacingTouch& touch) const
+    {
+        return std::max(1.0, options_.friction_stiffness_scale) * touch.stiffness;
+    }
     const ContactMesh& mesh() const { return mesh_; }
     /// Nodes that may still touch segments by themselves, as rims and sharp corners do; changes with every
     /// search.
@@ -110,6 +123,7 @@ private:
     void index_touches();
     void find_chunk(const ContactMotion& motion, double step, std::size_t begin, std::size_t end);
     double areal_stiffness(Index a, Index b, double step) const;
+    double part_scale(Index a, Index b) const;
     static const FacingTouch* touch_between(const std::vector<FacingTouch>& touches, Index a, Index b);
     std::span<const Index> old_touches_of(Index facet) const
     {
@@ -122,7 +136,8 @@ private:
     bool touch_of(const ContactMotion& motion, double step, const FacingCandidate& candidate,
                   FacingTouch& touch) const;
     void apply_law(const ContactMotion& motion, double stiffness, const SegmentOverlap& overlap,
-                   FacingTouch& touch) const;
+                   const FacingCandidate& candidate, const SegmentOverlap::Corners& at_a,
+                   const SegmentOverlap::Corners& at_b, FacingTouch& touch) const;
     double lateral_share(Index a, Index b, double along) const;
     Friction friction_of(Index a, Index b) const;
     Vec3 normal_of(const ContactMotion& motion, Index facet) const;

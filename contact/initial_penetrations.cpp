@@ -6,7 +6,7 @@
 namespace plash {
 
 std::vector<InitialPenetration> initial_penetrations(const Contact& contact, const ContactMesh& mesh,
-                                                     PairSearch search, const State& state)
+                                                     PairSearch& search, const State& state)
 {
     ContactMotion motion;
     motion.load(mesh, Clock{}, state);
@@ -16,6 +16,7 @@ std::vector<InitialPenetration> initial_penetrations(const Contact& contact, con
     TouchFinder::Room room;
     const TouchFinder finder(mesh, motion, contact.square_edges);
     finder.find(search.pairs(), 0, table.owners(), table, room);
+    search.pairs().look_at_all();
     std::vector<InitialPenetration> found;
     for (const Touch& touch : table.list(mesh, motion).all) {
         // Surfaces that just touch are no mistake: round-off of their coordinates is not worth a line.

@@ -13,9 +13,9 @@ struct InitialPenetration {
     double depth = 0;   ///< [length]
 };
 
-/// All of them, deepest first. `search` is a copy: the contact's own pairs stay as they are.
+/// All of them, deepest first. `search` finds its pairs for them; they count as not looked at afterwards.
 std::vector<InitialPenetration> initial_penetrations(const Contact& contact, const ContactMesh& mesh,
-                                                     PairSearch search, const State& state);
+                                                     PairSearch& search, const State& state);
 
 /// Lines for people: a summary and the deepest ten.
 std::vector<std::string> describe(const std::vector<InitialPenetration>& penetrations, const Contact& contact,

@@ -151,7 +151,6 @@ void PairSearch::search(const ContactMesh& mesh, const ContactMotion& motion,
         search_nodes(mesh, position, margin, begin, end, only, found[begin / chunk_length]);
     });
     sort_by_node(position.size(), found);
-    pairs_.due.assign(pairs_.node.size(), 0.0);
     pairs_.set_owners();
 }
 
@@ -165,6 +164,12 @@ void PairList::set_owners()
         begin.push_back(static_cast<Index>(pair));
     }
     begin.push_back(static_cast<Index>(node.size()));
+    look_at_all();
+}
+
+void PairList::look_at_all()
+{
+    due.assign(node.size(), 0.0);
     quiet.assign(owner.size(), 0.0);
     close.assign(owner.size(), 0);
     others_due.assign(owner.size(), 0.0);

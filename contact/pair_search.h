@@ -23,8 +23,10 @@ struct PairList {
     std::vector<Index> close;
     std::vector<double> others_due;
 
-    /// Finds the owners of the pairs; none of them is quiet.
+    /// Finds the owners of the pairs, all to be looked at.
     void set_owners();
+    /// Every pair is due, and no owner quiet.
+    void look_at_all();
     void serialise(Archive& archive) { archive(node, facet, due, owner, begin, quiet, close, others_due); }
 };
 

@@ -1,6 +1,7 @@
 #include "contact/surface.h"
 
 #include "contact/solid_faces.h"
+#include "contact/symmetry_faces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,7 @@ public:
     {
         if (side.kind != ContactSide::Kind::shells) faces_ = solid_faces(model);
         collect_segments();
+        if (options.drop_symmetry_faces) drop_symmetry_faces(model, surface_.segments);
         if (side.box) drop_outside_box();
         drop_duplicates();
         for (Segment& segment : surface_.segments) measure(segment);
@@ -211,9 +213,10 @@ private:
         const PartContact* own = part_contact(segment.part);
         if (own && own->thickness > 0) return own->thickness;
         if (segment.shell != none && side_.thickness > 0) return side_.thickness;
+        if (segment.solid != none) return options_.solid_thickness;
         const double scale = own && own->thickness_scale != 1 ? own->thickness_scale : side_.thickness_scale;
         const double thickness = scale * element_thickness(segment);
-        if (!options_.limit_thickness || segment.shell == none) return thickness;
+        if (!options_.limit_thickness) return thickness;
         double shortest = std::numeric_limits<double>::infinity();
         for (int corner = 0; corner < 4; ++corner) {
             const Vec3 side = model_.nodes.position[segment.nodes[(corner + 1) % 4]] -
@@ -227,7 +230,8 @@ private:
     {
         const std::vector<Vec3>& position = model_.nodes.position;
         const double area = segment_area(segment.nodes, position);
-        const double bulk = segment.part == none ? 0 : parts_[segment.part].bulk_modulus;
+        double bulk = segment.part == none ? 0 : parts_[segment.part].bulk_modulus;
+        if (segment.solid != none && options_.solid_modulus > 0) bulk = options_.solid_modulus;
         const PartContact* own = part_contact(segment.part);
         const double scale = side_.stiffness_scale * (own ? own->stiffness_scale : 1);
         const Vec3 diagonal = position[segment.nodes[2]] - position[segment.nodes[0]];
@@ -385,6 +389,9 @@ SurfaceOptions surface_options(const Contact& contact)
     options.spot_weld_beams = contact.spot_weld_beams || contact.kind != Contact::Kind::general;
     options.with_particles = !single;
     options.penetration_factor = contact.largest_penetration;
+    options.solid_thickness = contact.solid_thickness;
+    options.solid_modulus = contact.solid_modulus;
+    options.drop_symmetry_faces = contact.drop_symmetry_faces;
     return options;
 }
 

@@ -37,14 +37,17 @@ struct Surface {
 
 /// How a contact looks at its surfaces.
 struct SurfaceOptions {
-    bool inner_faces = false;      ///< also faces between solids, which erosion may lay open
-    bool orient_by_deck = false;   ///< non-automatic contact: shells act on the side of their normal only
-    bool limit_thickness = false;  ///< shells at most 40 % of their shortest edge
-    int thickness_option = 2;      ///< SHLTHK: 0 none, 1 deformable parts only, 2 all
-    bool with_beams = false;       ///< nodes of beams belong to the surface
-    bool spot_weld_beams = true;   ///< those of ELFORM 9 as well
-    bool with_particles = false;   ///< SPH particles of the parts belong to the surface, as nodes
-    double penetration_factor = 0; ///< PENMAX: depth in thicknesses; 0: default
+    bool inner_faces = false;         ///< also faces between solids, which erosion may lay open
+    bool orient_by_deck = false;      ///< non-automatic contact: shells act on the side of their normal only
+    bool limit_thickness = false;     ///< shells at most 40 % of their shortest edge
+    int thickness_option = 2;         ///< SHLTHK: 0 none, 1 deformable parts only, 2 all
+    bool with_beams = false;          ///< nodes of beams belong to the surface
+    bool spot_weld_beams = true;      ///< those of ELFORM 9 as well
+    bool with_particles = false;      ///< SPH particles of the parts belong to the surface, as nodes
+    double penetration_factor = 0;    ///< PENMAX: depth in thicknesses; 0: default
+    double solid_thickness = 0;       ///< SLDTHK: faces of solids have it as a shell would [length]
+    double solid_modulus = 0;         ///< SLDSTF: in place of the bulk modulus of solids [stress]; 0: none
+    bool drop_symmetry_faces = false; ///< ISYM: no faces of solids in planes of symmetry
 };
 
 SurfaceOptions surface_options(const Contact& contact);
@@ -53,7 +56,8 @@ SurfaceOptions surface_options(const Contact& contact);
 ///
 /// Segments come from shells, from faces of solids that no other solid of the Model shares, and from segment
 /// sets, whose thickness and stiffness are those of the element beneath (a shell is preferred, as in
-/// LS-DYNA). Contact thickness: SST/MST, else OPTT of the part, else the element's (times SFT or SFST).
+/// LS-DYNA). Contact thickness: OPTT of the part, else SST/MST, else the element's (times SFT or SFST); of
+/// solids SLDTHK, else nothing.
 /// SPH particles are nodes: thickness SST/MST, else with ITHK = 1 of *CONTROL_SPH the edge of a cube of their
 /// volume, else zero; stiffness that of such a cube of their material.
 /// Stiffness: Hallquist (2006) 'Contact-Impact Algorithm', without the factor SLSFAC SFS.

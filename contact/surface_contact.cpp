@@ -50,6 +50,7 @@ SurfaceContact::SurfaceContact(const Contact& contact, const Model& model, const
       table_(any_friction(frictions_)),
       sum_(mesh_.nodes.size())
 {
+    if (contact.friction_energy && table_.with_friction()) rubbed_off_.resize(mesh_.nodes.size());
     if (!model.stand_ins.empty()) hold_back_waiting();
     if (contact.tie.method != Tie::Method::none) tie(parts);
     if (presses_by_segments(contact)) make_facing();
@@ -72,6 +73,14 @@ void SurfaceContact::make_facing()
     options.friction_scale = contact_.friction_scale;
     options.two_sided = contact_.kind != Contact::Kind::single_surface;
     options.mixed_friction = contact_.static_friction == -1;
+    options.baseline_decay = contact_.baseline_decay;
+    options.friction_stiffness_scale = contact_.friction_stiffness_scale;
+    options.larger_part_scale = contact_.larger_part_scale;
+    for (const auto& [part, own] : model_.part_contacts) {
+        if (own.stiffness_scale == 1) continue;
+        options.part_scale.resize(model_.parts.size(), 1);
+        options.part_scale[part] = own.stiffness_scale;
+    }
     std::vector<double> area_mass;
     for (const Segment& segment : mesh_.segments) {
         double mass = segment.area_mass;
@@ -81,6 +90,19 @@ void SurfaceContact::make_facing()
         area_mass.push_back(mass);
     }
     facing_.emplace(mesh_, options, frictions_, std::move(area_mass));
+}
+
+/// PSTIFF: a segment has the mean mass of its nodes, whatever hangs on these.
+void SurfaceContact::weigh_segments()
+{
+    std::vector<double> area_mass;
+    for (const ContactMesh::Facet& facet : mesh_.facets) {
+        double mass = 0;
+        const int corners = facet.triangle() ? 3 : 4;
+        for (int i = 0; i < corners; ++i) mass += mass_[facet.corner[i]] / corners;
+        area_mass.push_back(facet.size > 0 ? mass / (facet.size * facet.size) : 0);
+    }
+    facing_->set_area_mass(std::move(area_mass));
 }
 
 /// TIEBREAK: nodes that are held do not touch until they are set free; under OPTION 4 springs only pull, and
@@ -192,10 +214,11 @@ void SurfaceContact::take_masses(const State& state)
         const Index node = mesh_.nodes[i].node;
         if (!weighty_.empty()) weighty_[i] = state.mass[node] > 0;
         mass_[i] = state.mass[node] > 0 ? state.mass[node] : lumped_[node];
-        if (mass_[i] == 0) mesh_.nodes[i].acts_on = 0;
+        if (mass_[i] == 0 && std::exchange(mesh_.nodes[i].acts_on, std::uint8_t{0}) != 0) search_.forget();
         const Index part = mesh_.nodes[i].part;
         if (part != none) rigid_[part].mass += mass_[i];
     }
+    if (facing_ && contact_.stiffness_of_nodes) weigh_segments();
     lumped_ = {};
 }
 
@@ -414,11 +437,16 @@ void SurfaceContact::sum_up_facing()
             for (int i = 0; i < 4; ++i) {
                 NodeSum& corner = sum_[mesh_.facets[facet].corner[i]];
                 corner.force += force[i];
-                corner.stiffness += share[i] * touch.stiffness;
+                corner.stiffness += share[i] * facing_->step_stiffness(touch);
             }
         };
         put(touch.first, touch.on_first, touch.first_share);
         put(touch.second, touch.on_second, touch.second_share);
+        for (int i = 0; !rubbed_off_.empty() && i < 4; ++i) {
+            const double half = 0.5 * touch.friction_loss;
+            rubbed_off_[mesh_.facets[touch.first].corner[i]] += touch.first_share[i] * half;
+            rubbed_off_[mesh_.facets[touch.second].corner[i]] += touch.second_share[i] * half;
+        }
     }
 }
 
@@ -486,9 +514,15 @@ void SurfaceContact::add_rigid_votes()
     }
 }
 
+/// The first cycle goes on with the pairs that are found here, unless segments press on segments, which leave
+/// it few nodes to look at.
 std::vector<std::string> SurfaceContact::notices(const State& state) const
 {
     if (contact_.birth > 0) return {};
+    if (facing_) {
+        PairSearch of_all_nodes = search_;
+        return describe(initial_penetrations(contact_, mesh_, of_all_nodes, state), contact_, mesh_, model_);
+    }
     return describe(initial_penetrations(contact_, mesh_, search_, state), contact_, mesh_, model_);
 }
 
@@ -496,7 +530,7 @@ void SurfaceContact::serialise(Archive& archive)
 {
     if (facing_) facing_->serialise(archive);
     archive(mass_, weighty_, motion_.travelled, sum_, summed_, deletions_seen_, soft_step_, energy_, stuck_,
-            touching_now_);
+            rubbed_off_, touching_now_);
     search_.serialise(archive);
     if (archive.loading() && ties_ && !number_.empty())
         for (Index node : ties_->held_nodes())
@@ -510,6 +544,7 @@ void SurfaceContact::serialise(Archive& archive)
     for (std::size_t i = 0; i < mass_.size(); ++i) {
         if (mass_[i] == 0) mesh_.nodes[i].acts_on = 0;
     }
+    if (facing_ && contact_.stiffness_of_nodes && !mass_.empty()) weigh_segments();
     restarted_ = deletions_seen_ > 0;
 }
 

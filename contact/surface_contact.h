@@ -83,8 +83,15 @@ private:
 
             OnFacets() {}
         };
+        /// What friction took of eight nodes in the last step; their facets stand in on_facets.
+        struct Rubbed {
+            Lanes loss;
+            Index node[lane_count];
+            std::size_t facets;
+        };
         std::vector<OnNodes> on_nodes;
         std::vector<OnFacets> on_facets;
+        std::vector<Rubbed> rubbed; ///< only where friction's energy is summed up by face
         std::size_t touches = 0;
         double friction = 0; ///< taken by friction in the last step [energy]
 
@@ -104,7 +111,7 @@ private:
     std::string name_;
     const Model& model_;
     ContactMesh mesh_;
-    PairSearch search_;
+    mutable PairSearch search_; ///< follows from where the nodes are: whoever asks first makes it
     ContactMotion motion_;
     std::optional<FacingSegments> facing_;
     std::vector<double> lumped_; ///< masses of the Model's nodes by their elements, until the first cycle
@@ -131,6 +138,9 @@ private:
     std::vector<std::uint8_t> acts_on_again_; ///< by mesh node: what a held node will act on
     bool sticks_ = false;                     ///< TIEBREAK OPTION 1, 3: nodes stick where they touch
     std::vector<std::uint8_t> stuck_;         ///< by mesh node: has stuck once; empty unless nodes stick
+    /// By mesh node: half of what friction has taken from touches of the node and of its facets [energy];
+    /// empty unless asked for (FRCENG).
+    std::vector<double> rubbed_off_;
 
     bool active(const Clock& clock) const
     {
@@ -139,6 +149,7 @@ private:
     bool nothing_touches() const { return touching_now_ == 0 && (!facing_ || facing_->touches().empty()); }
     std::array<double, 4> shares(const Touch& touch) const;
     void make_facing();
+    void weigh_segments();
     void rest();
     void tie(const std::vector<PartData>& parts);
     void pull_ties(const Clock& clock, State& state);
@@ -159,7 +170,7 @@ private:
                  const Lanes& stiffness, const Lanes& closing, const Lanes& force) const;
     Vector3<Lanes> rubbed(const NodeBatch& nodes, const FacetLanes& facets, const TouchBatch& touches,
                           const Vector3<Lanes>& slip, const Lanes& stiffness, const Lanes& force,
-                          double& loss);
+                          Lanes& lost);
     void set_stiffness(int layer, std::size_t owner, unsigned active, const Index* facet,
                        const Vector3<Lanes>& normal);
     double stiffness_of(Index node, Index facet) const;
@@ -168,6 +179,7 @@ private:
     void set_constraint_forces(const Clock& clock, State& state);
     void sum_up(const Pressed& pressed);
     void sum_up_facing();
+    void share_out_friction(const Pressed& pressed);
     void add_facing(ElementResults::ContactForce& sum) const;
     /// What acts at the nodes: normal force, friction, area of the exposed facets; by mesh node.
     struct NodeLoads {

@@ -282,7 +282,15 @@ void SurfaceContact::press_touches(const NodeBatch& nodes, const FacetLanes& fac
     Vector3<Lanes> whole = force * normal;
     if (table_.with_friction()) {
         const auto slip = broadcast<Lanes>(motion_.last_step) * (velocity + closing * normal);
-        whole += rubbed(nodes, facets, touches, slip, stiffness, force, pressed.friction);
+        Lanes lost;
+        whole += rubbed(nodes, facets, touches, slip, stiffness, force, lost);
+        for (int lane = 0; lane < lane_count; ++lane) pressed.friction += lost[lane];
+        if (!rubbed_off_.empty()) {
+            Pressed::Rubbed& taken = pressed.rubbed.emplace_back();
+            taken.loss = lost;
+            std::copy_n(nodes.node, lane_count, taken.node);
+            taken.facets = pressed.on_facets.size();
+        }
     }
     store(line(TouchTable::pressing), force);
     // Every node is on the list once; the forces of its second and third touch are added to it there.
@@ -325,10 +333,10 @@ Lanes SurfaceContact::damped(const NodeBatch& nodes, const FacetLanes& facets,
     return force > zero ? max(zero, force + damping * closing) : force;
 }
 
-/// Friction on the nodes; adds what it has taken in the last step to `loss`.
+/// Friction on the nodes; `lost` is what it has taken in the last step.
 Vector3<Lanes> SurfaceContact::rubbed(const NodeBatch& nodes, const FacetLanes& facets,
                                       const TouchBatch& touches, const Vector3<Lanes>& slip,
-                                      const Lanes& stiffness, const Lanes& force, double& loss)
+                                      const Lanes& stiffness, const Lanes& force, Lanes& lost)
 {
     const auto line = [&](TouchTable::Field field) { return table_.line(field, touches.layer, nodes.owner); };
     const Lanes zero{};
@@ -347,8 +355,7 @@ Vector3<Lanes> SurfaceContact::rubbed(const NodeBatch& nodes, const FacetLanes& 
     const LaneMask rubs = touches.over & ((law.at_rest > zero) | (law.moving > zero));
     const auto friction =
         choose(rubs, friction_force(before, touches.normal, slip, stiffness, limit), Vector3<Lanes>{});
-    const Lanes lost = touches.over ? -0.5 * dot(before + friction, slip) : zero;
-    for (int lane = 0; lane < lane_count; ++lane) loss += lost[lane];
+    lost = touches.over ? -0.5 * dot(before + friction, slip) : zero;
     store(line(TouchTable::friction_x), friction.x);
     store(line(TouchTable::friction_y), friction.y);
     store(line(TouchTable::friction_z), friction.z);
@@ -359,6 +366,7 @@ void SurfaceContact::Pressed::clear()
 {
     on_nodes.clear();
     on_facets.clear();
+    rubbed.clear();
     touches = 0;
     friction = 0;
 }
@@ -382,6 +390,21 @@ void SurfaceContact::sum_up(const Pressed& pressed)
             const int lane = std::countr_zero(left);
             for (int i = 0; i < 4; ++i) add(batch.corner[i][lane], batch.share[i][lane] * batch.force[lane]);
         }
+    if (!rubbed_off_.empty()) share_out_friction(pressed);
+}
+
+/// Half of what friction has taken for the node, half for the corners of its facet.
+void SurfaceContact::share_out_friction(const Pressed& pressed)
+{
+    for (const Pressed::Rubbed& batch : pressed.rubbed) {
+        const Pressed::OnFacets& facets = pressed.on_facets[batch.facets];
+        for (unsigned left = facets.lanes; left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
+            const double half = 0.5 * batch.loss[lane];
+            rubbed_off_[batch.node[lane]] += half;
+            for (int i = 0; i < 4; ++i) rubbed_off_[facets.corner[i][lane]] += facets.share[i][lane] * half;
+        }
+    }
 }
 
 } // namespace plash

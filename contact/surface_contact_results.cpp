@@ -147,6 +147,8 @@ void SurfaceContact::add_faces(std::vector<ElementResults::ContactFace>& faces) 
             if (loads.area.empty() || !(loads.area[corner] > 0)) continue;
             face.pressure += loads.normal[corner] / loads.area[corner] / corners;
             face.shear += (1 / loads.area[corner] / corners) * loads.friction[corner];
+            if (!rubbed_off_.empty())
+                face.friction_energy += rubbed_off_[corner] / loads.area[corner] / corners;
         }
         faces.push_back(face);
     }

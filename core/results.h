@@ -268,6 +268,7 @@ struct ElementResults {
         double pressure = 0;          ///< mean of its corners' [stress]
         Vec3 shear{};                 ///< friction on the face, likewise [stress]
         double penetration = 0;       ///< deepest of its touches [length]
+        double friction_energy = 0;   ///< that friction has taken so far, half on each side [energy/area]
     };
     bool contact_faces_wanted = false; ///< the list below is filled only then
     std::vector<ContactFace> contact_faces;

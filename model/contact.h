@@ -91,11 +91,12 @@ struct Contact {
     double static_friction = 0;  ///< FS; -1: by the parts (*PART_CONTACT)
     double dynamic_friction = 0; ///< FD
     double friction_decay = 0;   ///< DC [time/length]
-    double friction_stress = 0; ///< VC [stress]: limit of the friction force over the segment's area; 0: none
-    double friction_scale = 1;  ///< FSF
-    double damping = 0;         ///< VDC [percent of critical]
-    double birth = 0;           ///< BT [time]
-    double death = forever;     ///< DT [time]
+    double friction_stress =
+        0; ///< VC VSF [stress]: limit of the friction force over the segment's area; 0: none
+    double friction_scale = 1; ///< FSF
+    double damping = 0;        ///< VDC [percent of critical]
+    double birth = 0;          ///< BT [time]
+    double death = forever;    ///< DT [time]
 
     int soft = 0;                   ///< SOFT: 0 penalty, 1 soft constraint, 2 segment based
     double soft_scale = 0.1;        ///< SOFSCL
@@ -112,6 +113,18 @@ struct Contact {
     bool edges = false;                   ///< edges touch edges: general contact; SOFT = 2 where DEPTH asks
     bool inner_edges = false;             ///< _INTERIOR of general contact: sides between shells act as well
     bool keep_eroded_nodes = false;       ///< ENMASS: nodes that have lost their elements stay in the contact
+    bool drop_symmetry_faces = false; ///< ISYM: faces of solids that lie in a plane of symmetry do not act
+    bool friction_energy = false;     ///< FRCENG: what friction takes is summed up by face
+
+    double solid_thickness = 0;      ///< SLDTHK: as if shells of this thickness covered the solids [length]
+    double solid_modulus = 0;        ///< SLDSTF: in place of the bulk modulus of solids [stress]; 0: none
+    bool stiffness_of_nodes = false; ///< PSTIFF: SOFT = 2 takes the masses of segments from their nodes
+    /// DPRFAC, SOFT = 2: by what share penetrations that gave no force when they began come to give one, per
+    /// cycle.
+    double baseline_decay = 0;
+    double edge_stiffness_scale = 1;     ///< EDGEK, SOFT = 2: of edges on edges
+    double friction_stiffness_scale = 1; ///< FRICSF, SOFT = 2: of the tangential springs
+    bool larger_part_scale = false;      ///< SSFTYP, SOFT = 2: of two parts' SSF the larger one counts
 };
 
 /// *PART_CONTACT: what a part brings into every contact.
@@ -120,6 +133,20 @@ struct PartContact {
     double thickness = 0;       ///< OPTT [length]; 0: of the element
     double thickness_scale = 1; ///< SFT
     double stiffness_scale = 1; ///< SSF
+
+    bool operator==(const PartContact&) const = default;
 };
+
+/// Whether segments press on segments: SOFT = 2 of surfaces (not of nodes or beams) that neither stick nor
+/// are held by constraints.
+inline bool presses_by_segments(const Contact& contact)
+{
+    using Kind = Contact::Kind;
+    const bool surfaces = contact.kind == Kind::single_surface || contact.kind == Kind::two_way ||
+                          contact.kind == Kind::one_way;
+    const auto is_named = [&](const char* part) { return contact.keyword.find(part) != std::string::npos; };
+    return contact.soft == 2 && surfaces && !contact.constraint && contact.tie.method == Tie::Method::none &&
+           contact.slave.kind != ContactSide::Kind::nodes && !is_named("NODES_TO") && !is_named("BEAMS_TO");
+}
 
 } // namespace plash

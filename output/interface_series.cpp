@@ -4,6 +4,7 @@
 #include "output/nodal_motion.h"
 #include "output/vtu_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -60,7 +61,10 @@ void InterfaceSeries::write_state(const Snapshot& snapshot)
     VtuFile file;
     std::vector<std::int64_t> node_id, contact, part;
     std::vector<std::int32_t> surface;
-    std::vector<float> displacement, pressure, shear, shear_size, penetration;
+    std::vector<float> displacement, pressure, shear, shear_size, penetration, friction_energy;
+    const auto& contacts = snapshot.model.contacts;
+    const bool with_friction_energy =
+        std::any_of(contacts.begin(), contacts.end(), [](const Contact& one) { return one.friction_energy; });
     for (const ElementResults::ContactFace& face : results.contact_faces) {
         auto nodes = face.nodes;
         for (Index& node : nodes) {
@@ -80,6 +84,7 @@ void InterfaceSeries::write_state(const Snapshot& snapshot)
         put_vector(shear, face.shear);
         shear_size.push_back(static_cast<float>(norm(face.shear)));
         penetration.push_back(static_cast<float>(face.penetration));
+        friction_energy.push_back(static_cast<float>(face.friction_energy));
     }
     file.add_point_array("node_id", 1, node_id);
     file.add_point_array("displacement", 3, displacement);
@@ -90,6 +95,7 @@ void InterfaceSeries::write_state(const Snapshot& snapshot)
     file.add_cell_array("shear", 3, shear);
     file.add_cell_array("shear_size", 1, shear_size);
     file.add_cell_array("penetration", 1, penetration);
+    if (with_friction_energy) file.add_cell_array("friction_energy", 1, friction_energy);
     const std::string name = fmt::format("vtk/interface_{:04}.vtu", files_.size());
     file.write(directory_ + "/" + name, snapshot.clock.time);
     files_.emplace_back(snapshot.clock.time, name);

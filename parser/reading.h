@@ -61,7 +61,8 @@ struct ContactDefaults {
     bool keep_eroded_nodes = false;
     bool limit_thickness = true;
     bool square_edges = false;
-    double static_friction = 0, dynamic_friction = 0;
+    bool drop_symmetry_faces = false, friction_energy = false, stiffness_of_nodes = false;
+    PartContact of_parts; ///< what parts have that *PART_CONTACT says nothing of
 };
 
 /// Everything that translators work on: the deck as written, the Model that grows, numbers seen so far.

@@ -184,6 +184,33 @@ bool segments_meet_at_edges(const Record& record, const Contact& contact)
     return kind == 3 || kind == 5;
 }
 
+/// What only SOFT = 2 knows is not read without it, and so listed as ignored.
+void read_segment_based(const Record& record, Contact& contact, Reading& reading)
+{
+    contact.stiffness_of_nodes = record.integer("PSTIFF") == 1;
+    contact.larger_part_scale = record.integer("SSFTYP") == 1;
+    contact.friction_stiffness_scale = real_or(record, "FRICSF", 1);
+    contact.baseline_decay = record.real("DPRFAC");
+    if (contact.baseline_decay >= 0 && contact.baseline_decay <= 1) return;
+    reading.error(record, "DPRFAC",
+                  fmt::format("{} is not supported; a share from 0 to 1 per cycle is, a curve is not",
+                              contact.baseline_decay));
+}
+
+void read_optional_cards(const Record& record, Contact& contact, Reading& reading)
+{
+    contact.solid_thickness = record.real("SLDTHK");
+    if (contact.soft != 2) contact.solid_modulus = record.real("SLDSTF");
+    contact.drop_symmetry_faces = record.integer("ISYM") == 1;
+    if (record.integer("ISYM") < 0) {
+        reading.error(
+            record, "ISYM",
+            "node sets of symmetry planes are not supported; 1 finds the planes by the fixed nodes");
+    }
+    if (contact.soft == 2 && contact.edges) contact.edge_stiffness_scale = real_or(record, "EDGEK", 1);
+    if (presses_by_segments(contact)) read_segment_based(record, contact, reading);
+}
+
 void read_contact(const Record& record, const Block& block, Reading& reading)
 {
     const std::string_view name = record.keyword;
@@ -210,7 +237,7 @@ void read_contact(const Record& record, const Block& block, Reading& reading)
     contact.static_friction = record.real("FS");
     contact.dynamic_friction = record.real("FD");
     contact.friction_decay = record.real("DC");
-    contact.friction_stress = record.real("VC");
+    contact.friction_stress = real_or(record, "VSF", 1) * record.real("VC");
     contact.friction_scale = real_or(record, "FSF", 1);
     contact.damping = record.real("VDC");
     contact.birth = record.real("BT");
@@ -231,6 +258,8 @@ void read_contact(const Record& record, const Block& block, Reading& reading)
     contact.edges = contact.kind == Contact::Kind::general || segments_meet_at_edges(record, contact);
     contact.inner_edges = contact.kind == Contact::Kind::general && holds(name, "INTERIOR");
     contact.initial_penetration = static_cast<int>(record.integer("IGNORE"));
+    if (contact.kind != Contact::Kind::tied && contact.kind != Contact::Kind::transducer)
+        read_optional_cards(record, contact, reading);
     if (name.ends_with("_MORTAR")) {
         reading.warning(record, {},
                         "acts as the penalty contact of nodes on segments, not as a mortar contact");
@@ -249,8 +278,35 @@ void read_contact_control(const Record& record, const Block&, Reading& reading)
     defaults.limit_thickness = record.integer("SSTHK") == 0;
     defaults.initial_penetration = static_cast<int>(record.integer("IGNORE"));
     defaults.square_edges = record.integer("SHLEDG") == 1;
-    defaults.static_friction = record.real("SFRIC");
-    defaults.dynamic_friction = record.real("DFRIC");
+    defaults.of_parts.static_friction = record.real("SFRIC");
+    defaults.of_parts.dynamic_friction = record.real("DFRIC");
+    defaults.of_parts.friction_decay = record.real("EDC");
+    defaults.of_parts.friction_stress = record.real("VFC");
+    defaults.of_parts.thickness = record.real("TH");
+    defaults.of_parts.thickness_scale = real_or(record, "TH_SF", 1);
+    defaults.of_parts.stiffness_scale = real_or(record, "PEN_SF", 1);
+    defaults.drop_symmetry_faces = record.integer("ISYM") == 1;
+    defaults.friction_energy = record.integer("FRCENG") != 0;
+    defaults.stiffness_of_nodes = record.integer("PSTIFF") == 1;
+}
+
+/// *CONTROL_CONTACT: values of parts where *PART_CONTACT gives none.
+void give_parts_defaults(const PartContact& defaults, Model& model)
+{
+    if (defaults == PartContact{}) return;
+    for (std::size_t part = 0; part < model.parts.size(); ++part) {
+        PartContact& own = model.part_contacts[static_cast<Index>(part)];
+        const auto fill = [&](double PartContact::*value, double not_given) {
+            if (own.*value == not_given) own.*value = defaults.*value;
+        };
+        fill(&PartContact::static_friction, 0);
+        fill(&PartContact::dynamic_friction, 0);
+        fill(&PartContact::friction_decay, 0);
+        fill(&PartContact::friction_stress, 0);
+        fill(&PartContact::thickness, 0);
+        fill(&PartContact::thickness_scale, 1);
+        fill(&PartContact::stiffness_scale, 1);
+    }
 }
 
 /// Contacts without a number get that of their place in the deck, as LS-DYNA counts them, or the next that is
@@ -306,11 +362,11 @@ void finish_contacts(Reading& reading)
         else if (contact.thickness_option == 0)
             contact.thickness_option = defaults.thickness_option;
         if (contact.initial_penetration == 0) contact.initial_penetration = defaults.initial_penetration;
-        if (contact.static_friction == 0 && contact.dynamic_friction == 0) {
-            contact.static_friction = defaults.static_friction;
-            contact.dynamic_friction = defaults.dynamic_friction;
-        }
+        contact.drop_symmetry_faces = contact.drop_symmetry_faces || defaults.drop_symmetry_faces;
+        contact.stiffness_of_nodes = contact.stiffness_of_nodes || defaults.stiffness_of_nodes;
+        contact.friction_energy = defaults.friction_energy;
     }
+    give_parts_defaults(defaults.of_parts, reading.model);
 }
 
 } // namespace plash

@@ -1,8 +1,10 @@
+#include "parser/layout.h"
 #include "parser/read_model.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
 
@@ -35,6 +37,34 @@ ReadResult read(const Keyword& keyword, const std::string& suffix)
     return read_model(folder / "deck.k");
 }
 
+ReadResult read_text(const std::string& cards)
+{
+    return read_model_text("deck.k",
+                           "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n"
+                           "1,1.0,1.0,0.3\n*PART\na\n1,1,1\n*PART\nb\n2,1,1\n" +
+                               cards + "*END\n");
+}
+
+void expect_no_silent_field(const char* keyword)
+{
+    const KeywordLayout* layout = layout_table().find(keyword);
+    ASSERT_TRUE(layout) << keyword;
+    const auto expect = [&](const CardLayout& card, const auto& again) -> void {
+        for (const FieldLayout& field : card.fields) {
+            const auto& known = layout->ignored_fields;
+            const bool explained = std::any_of(known.begin(), known.end(),
+                                               [&](const auto& one) { return one.first == field.name; });
+            const bool text = field.name == "HEADING" || field.name == "MPP2"; // titles, marks of a line
+            EXPECT_TRUE(text || field.name.empty() || layout->honours(field.name) || explained)
+                << keyword << " " << field.name;
+        }
+        for (const CardLayout& inner : card.group) again(inner, again);
+    };
+    for (const CardLayout& card : layout->cards) expect(card, expect);
+    for (const OptionLayout& option : layout->options)
+        for (const CardLayout& card : option.cards) expect(card, expect);
+}
+
 } // namespace
 
 class ContactKeywords : public ::testing::TestWithParam<Keyword> {};
@@ -61,6 +91,76 @@ TEST_P(ContactKeywords, RunWithAllSuffixes)
             EXPECT_EQ(contact.id, 77) << suffix;
         }
     }
+}
+
+/// Each field is honoured or says why it has no effect.
+TEST_P(ContactKeywords, EveryFieldMeansSomethingOrSaysSo)
+{
+    expect_no_silent_field(GetParam().name);
+}
+
+TEST(ContactControl, EveryFieldMeansSomethingOrSaysSo)
+{
+    expect_no_silent_field("CONTROL_CONTACT");
+}
+
+/// *CONTROL_CONTACT gives parts the values that *PART_CONTACT leaves out; a contact without friction of its
+/// own stays without.
+TEST(ContactControl, DefaultsOfParts)
+{
+    const ReadResult result = read_text("*CONTROL_CONTACT\n0.1\n\n0.3,0.2,4.0,50.0,0.7,0.8,2.0\n\n1\n0,1\n"
+                                        "*PART_CONTACT\nc\n3,1,1\n0.5,0.4,0.0,0.0,0.9,0.6,3.0\n"
+                                        "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n0\n1\n");
+    ASSERT_TRUE(result.ok);
+    const Model& model = result.model;
+    for (Index part = 0; part < 2; ++part) {
+        const PartContact& own = model.part_contacts.at(part);
+        EXPECT_EQ(own, (PartContact{0.3, 0.2, 4.0, 50.0, 0.7, 0.8, 2.0})) << part;
+    }
+    EXPECT_EQ(model.part_contacts.at(2), (PartContact{0.5, 0.4, 4.0, 50.0, 0.9, 0.6, 3.0}));
+    const Contact& contact = model.contacts.at(0);
+    EXPECT_EQ(contact.static_friction, 0);
+    EXPECT_TRUE(contact.drop_symmetry_faces);
+    EXPECT_TRUE(contact.stiffness_of_nodes);
+    EXPECT_FALSE(contact.friction_energy);
+    for (const IgnoredField& one : result.report.ignored)
+        EXPECT_EQ(one.keyword.find("CONT"), std::string::npos) << one.keyword << " " << one.field;
+}
+
+TEST(ContactControl, OptionalCards)
+{
+    const std::string head = "*CONTROL_CONTACT\n\n\n\n0,1\n*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n"
+                             "0.2,0.1,0,10.0\n1,1,0,0,1,1,1,0.5\n";
+    const std::string tail = "0,0,0,0,1,0,0.3,77.0\n1,0,0.01,0,2.0\n0\n0,0,0,0,1.5\n1,0,0,0,0,1\n";
+    const ReadResult two = read_text(head + "2,0.1,0,1.025,2,5\n" + tail);
+    ASSERT_TRUE(two.ok);
+    const Contact& contact = two.model.contacts.at(0);
+    EXPECT_EQ(contact.friction_stress, 5.0) << "VC VSF";
+    EXPECT_EQ(contact.solid_thickness, 0.3);
+    EXPECT_EQ(contact.solid_modulus, 0) << "of SOFT = 0 and 1";
+    EXPECT_EQ(contact.baseline_decay, 0.01);
+    EXPECT_EQ(contact.edge_stiffness_scale, 2.0);
+    EXPECT_EQ(contact.friction_stiffness_scale, 1.5);
+    EXPECT_TRUE(contact.stiffness_of_nodes && contact.larger_part_scale);
+    EXPECT_TRUE(contact.drop_symmetry_faces && contact.friction_energy);
+    ASSERT_EQ(two.report.ignored.size(), 1u);
+    EXPECT_EQ(two.report.ignored[0].field, "SLDSTF");
+    EXPECT_NE(two.report.ignored[0].reason.find("SOFT = 2"), std::string::npos);
+    // What belongs to segments on segments is listed with its reason where nodes press.
+    const ReadResult nodes = read_text(head + "0,0.1,0,1.025,2,5\n" + tail);
+    ASSERT_TRUE(nodes.ok);
+    EXPECT_EQ(nodes.model.contacts.at(0).solid_modulus, 77.0);
+    std::vector<std::string> fields;
+    for (const IgnoredField& one : nodes.report.ignored) {
+        fields.push_back(one.field);
+        EXPECT_EQ(one.reason.find("Plash does not use it"), std::string::npos) << one.field;
+    }
+    EXPECT_EQ(fields, (std::vector<std::string>{"DEPTH", "DPRFAC", "EDGEK", "FRICSF", "PSTIFF", "SSFTYP"}));
+    // A curve of DPRFAC and a set of symmetry planes are errors with their field.
+    const ReadResult wrong = read_text(head + "2\n0,0,0,0,-3\n1,0,-7.0\n");
+    ASSERT_EQ(wrong.report.errors.size(), 2u);
+    EXPECT_EQ(wrong.report.errors[0].field, "ISYM");
+    EXPECT_EQ(wrong.report.errors[1].field, "DPRFAC");
 }
 
 using K = Contact::Kind;

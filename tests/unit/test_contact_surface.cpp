@@ -115,6 +115,61 @@ TEST(ContactSurface, ThicknessComesFromWhereTheManualSays)
     EXPECT_DOUBLE_EQ(half(side), 0);
 }
 
+/// SLDTHK and SLDSTF: solids touch as if shells covered them, and with another modulus.
+TEST(ContactSurface, SolidsTakeThicknessAndModulusOfTheContact)
+{
+    ContactModel mesh;
+    const Index part = mesh.add_part(1, 210, 0);
+    mesh.add_block(part, {0, 0, 0}, {1, 1, 1}, {2, 2, 2});
+    SurfaceOptions options;
+    EXPECT_EQ(surface_of_all(mesh.model, options).segments[0].half_thickness, 0);
+    options.solid_thickness = 0.06;
+    options.solid_modulus = 40;
+    const Surface surface = surface_of_all(mesh.model, options);
+    for (const Segment& segment : surface.segments) {
+        EXPECT_DOUBLE_EQ(segment.half_thickness, 0.03);
+        EXPECT_NEAR(segment.stiffness, 40 * 0.5, 1e-12); // K A^2 / V of a cube of 0.5
+    }
+    for (const ContactNode& node : surface.nodes) EXPECT_DOUBLE_EQ(node.half_thickness, 0.03);
+    options.thickness_option = 0;
+    EXPECT_EQ(surface_of_all(mesh.model, options).segments[0].half_thickness, 0);
+}
+
+/// ISYM: faces whose nodes are all held along the normal, by global or by local axes, show no face; a face
+/// that is clamped at one side only does.
+TEST(ContactSurface, NoFacesInPlanesOfSymmetry)
+{
+    ContactModel mesh;
+    const Index part = mesh.add_part(1, 210, 0);
+    mesh.add_block(part, {0, 0, 0}, {2, 1, 1}, {2, 1, 1});
+    const auto nodes_where = [&](auto&& holds) {
+        std::vector<Index> nodes;
+        for (Index i = 0; i < static_cast<Index>(mesh.model.nodes.size()); ++i)
+            if (holds(mesh.model.nodes.position[i])) nodes.push_back(i);
+        return nodes;
+    };
+    FixedNodes at_x, at_y;
+    at_x.nodes = nodes_where([](const Vec3& place) { return place.x == 0; });
+    at_x.freedoms = 1;
+    at_y.nodes = nodes_where([](const Vec3& place) { return place.y == 0; });
+    at_y.freedoms = 4; // z of axes that are turned
+    at_y.local = true;
+    at_y.axes = {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+    mesh.model.fixed_nodes = {at_x, at_y};
+    SurfaceOptions options;
+    EXPECT_EQ(surface_of_all(mesh.model, options).segments.size(), 10u);
+    options.drop_symmetry_faces = true;
+    const Surface surface = surface_of_all(mesh.model, options);
+    EXPECT_EQ(surface.segments.size(), 7u) << "one face at x = 0 and two at y = 0 are left out";
+    for (const Segment& segment : surface.segments) {
+        const Vec3 center = center_of(mesh.model, segment);
+        EXPECT_GT(center.x, 0.1);
+        EXPECT_GT(center.y, 0.1);
+    }
+    mesh.model.fixed_nodes[0].birth = 1; // free at the start
+    EXPECT_EQ(surface_of_all(mesh.model, options).segments.size(), 8u);
+}
+
 TEST(ContactMesh, KnowsWhoActsOnWhom)
 {
     ContactModel mesh;
