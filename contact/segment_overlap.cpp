@@ -47,11 +47,12 @@ struct PointBatches {
     }
 };
 
+/// Pair by pair: a chain of eight additions would take three times as long.
 double sum_of(const Lanes& lanes)
 {
-    double sum = 0;
-    for (int lane = 0; lane < lane_count; ++lane) sum += lanes[lane];
-    return sum;
+    const Lanes four = lanes + __builtin_shufflevector(lanes, lanes, 4, 5, 6, 7, 0, 1, 2, 3);
+    const Lanes two = four + __builtin_shufflevector(four, four, 2, 3, 0, 1, 6, 7, 4, 5);
+    return two[0] + two[1];
 }
 
 } // namespace
@@ -72,6 +73,17 @@ SegmentOverlap::SegmentOverlap(const Corners& first, const Corners& second, cons
         const Point2 one{shadow.at[2].x - shadow.at[0].x, shadow.at[2].y - shadow.at[0].y};
         const Point2 other{shadow.at[3].x - shadow.at[1].x, shadow.at[3].y - shadow.at[1].y};
         shadow.area = 0.5 * std::abs(one.x * other.y - one.y * other.x);
+        const auto& q = shadow.at;
+        const int end = shadow.triangle ? 2 : 3;
+        shadow.u = {q[1].x - q[0].x, q[1].y - q[0].y};
+        shadow.v = {q[end].x - q[0].x, q[end].y - q[0].y};
+        shadow.twist = shadow.triangle
+                           ? Point2{}
+                           : Point2{q[2].x - q[1].x - q[3].x + q[0].x, q[2].y - q[1].y - q[3].y + q[0].y};
+        const double round = shadow.u.x * shadow.v.y - shadow.u.y * shadow.v.x;
+        shadow.turn = round < 0 ? -1 : 1;
+        shadow.square = shadow.turn * round;
+        shadow.bend = shadow.turn * (shadow.v.x * shadow.twist.y - shadow.v.y * shadow.twist.x);
     };
     project(first, first_);
     project(second, second_);
@@ -163,17 +175,11 @@ void SegmentOverlap::clip()
 template <class Lane>
 SegmentOverlap::Place<Lane> SegmentOverlap::place_at(const Shadow& shadow, const Lane& x, const Lane& y)
 {
-    const auto& q = shadow.at;
-    const int last = shadow.triangle ? 2 : 3;
-    const Point2 u{q[1].x - q[0].x, q[1].y - q[0].y}, v{q[last].x - q[0].x, q[last].y - q[0].y};
-    const Point2 twist = shadow.triangle
-                             ? Point2{}
-                             : Point2{q[2].x - q[1].x - q[3].x + q[0].x, q[2].y - q[1].y - q[3].y + q[0].y};
-    const double turn = u.x * v.y - u.y * v.x < 0 ? -1 : 1; // of the corners
-    const double square = turn * (u.x * v.y - u.y * v.x), bend = turn * (v.x * twist.y - v.y * twist.x);
+    const Point2 &u = shadow.u, &v = shadow.v, &twist = shadow.twist, &origin = shadow.at[0];
+    const double turn = shadow.turn, square = shadow.square, bend = shadow.bend;
     const Lane zero{}, one = broadcast<Lane>(1), low = broadcast<Lane>(-0.5), high = broadcast<Lane>(1.5);
     const Lane tiny = broadcast<Lane>(1e-300);
-    const Lane p_x = x - q[0].x, p_y = y - q[0].y;
+    const Lane p_x = x - origin.x, p_y = y - origin.y;
     const Lane constant = turn * (p_x * u.y - p_y * u.x);
     const Lane slope = square + turn * (p_x * twist.y - p_y * twist.x);
     const Lane root = sqrt(max(slope * slope + (4 * bend) * constant, zero));
@@ -219,7 +225,7 @@ Lane SegmentOverlap::height_at(const Shares<Lane>& share, const Shadow& shadow)
 
 SegmentOverlap::Point2 SegmentOverlap::middle() const
 {
-    Point2 sum;
+    Point2 sum{};
     for (int i = 0; i < count_; ++i) {
         sum.x += vertex_[i].at.x / count_;
         sum.y += vertex_[i].at.y / count_;
@@ -256,13 +262,11 @@ SegmentOverlap::Polygon SegmentOverlap::deeper_than(double baseline) const
     return deep;
 }
 
-/// Pressure over the area, by triangles with three points each (exact for a constant pressure on
-/// parallelograms, whose shape functions are quadratic). A point of a segment that moves in the plane takes
-/// its height along: at a place that stays, this changes by the slope. Returns the area.
-double SegmentOverlap::press_area(const Polygon& deep, const Law& law, Forces& forces) const
+/// Triangles with three points each. Returns their area.
+template <class Points>
+double SegmentOverlap::add_area_points(const Polygon& deep, Points& points)
 {
     double whole = 0;
-    PointBatches<3 * most_corners> points;
     for (int i = 1; i + 1 < deep.count; ++i) {
         const Point2 &a = deep.corner[0].at, &b = deep.corner[i].at, &c = deep.corner[i + 1].at;
         const double area = 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
@@ -273,7 +277,45 @@ double SegmentOverlap::press_area(const Polygon& deep, const Law& law, Forces& f
         points.add(far * b.x + near * (a.x + c.x), far * b.y + near * (a.y + c.y), area / 3);
         points.add(far * c.x + near * (a.x + b.x), far * c.y + near * (a.y + b.y), area / 3);
     }
+    return whole;
+}
+
+/// Two points a side, without weight in the area.
+template <class Points>
+SegmentOverlap::SidePoints SegmentOverlap::add_side_points(const Polygon& deep, Points& points)
+{
+    SidePoints sides;
+    double turn = 0;
+    for (int i = 1; i + 1 < deep.count; ++i) {
+        const Point2 &a = deep.corner[0].at, &b = deep.corner[i].at, &c = deep.corner[i + 1].at;
+        turn += (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    }
+    turn = turn < 0 ? -1 : 1;
+    for (int i = 0; i < deep.count; ++i) {
+        if (deep.corner[i].side == no_side) continue;
+        const Point2 &p = deep.corner[i].at, &q = deep.corner[(i + 1) % deep.count].at;
+        const Point2 way{q.x - p.x, q.y - p.y};
+        for (const double along : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)}) {
+            sides.outward[sides.count] = {0.5 * turn * way.y, -0.5 * turn * way.x};
+            sides.side[sides.count++] = deep.corner[i].side;
+            points.add(p.x + along * way.x, p.y + along * way.y, 0);
+        }
+    }
+    return sides;
+}
+
+/// Pressure over the area (exact for a constant pressure on parallelograms, whose shape functions are
+/// quadratic), and what the sides do, whose points fill the same batches. A point of a segment that moves in
+/// the plane takes its height along: at a place that stays, this changes by the slope. Returns the area.
+double SegmentOverlap::press_area(const Polygon& deep, const Law& law, Forces& forces) const
+{
+    PointBatches<3 * most_corners + SidePoints::room> points;
+    const double whole = add_area_points(deep, points);
+    const int inside = points.count;
+    SidePoints sides;
+    if (law.lateral > 0) sides = add_side_points(deep, points);
     points.fill_up();
+    alignas(sizeof(Lanes)) std::array<double, decltype(points)::room> density; ///< energy per area
     struct LaneForces {
         Lanes x[4] = {}, y[4] = {}, along[4] = {};
     } on[2];
@@ -286,7 +328,10 @@ double SegmentOverlap::press_area(const Polygon& deep, const Law& law, Forces& f
             gap_ - law.baseline - height_at(on_first.share, first_) + height_at(on_second.share, second_);
         const Lanes rounding = broadcast<Lanes>(law.rounding), stiffness = broadcast<Lanes>(1);
         const Lanes part = weight * rounded_force(stiffness, active, rounding);
-        energy += weight * rounded_energy(stiffness, active, rounding);
+        const Lanes per_area = rounded_energy(stiffness, active, rounding);
+        if (begin + lane_count > inside) store(&density[begin], per_area);
+        if (begin >= inside) continue;
+        energy += weight * per_area;
         force += part;
         const auto press = [&](const auto& place, const Shadow& shadow, double sign, LaneForces& sum) {
             const auto slope = slope_at(shadow, place);
@@ -308,54 +353,31 @@ double SegmentOverlap::press_area(const Polygon& deep, const Law& law, Forces& f
             forces.on[of].in_plane[i] = {sum_of(on[of].x[i]), sum_of(on[of].y[i])};
         }
     }
+    press_sides(sides, &points.x[inside], &points.y[inside], &density[inside], forces);
     return whole;
 }
 
 /// A side of either segment that bounds the overlap gives up energy where it moves in: two points a side,
 /// exact as long as the penetration changes evenly along it.
-void SegmentOverlap::press_sides(const Polygon& deep, const Law& law, Forces& forces) const
+/// energy   per area at the points
+void SegmentOverlap::press_sides(const SidePoints& sides, const double* x, const double* y,
+                                 const double* energy, Forces& forces) const
 {
-    PointBatches<2 * (most_corners + 1)> points;
-    std::array<Point2, 2 * (most_corners + 1)> outward{}; // times the length of the part [length]
-    std::array<int, 2 * (most_corners + 1)> side{};
-    double turn = 0;
-    for (int i = 1; i + 1 < deep.count; ++i) {
-        const Point2 &a = deep.corner[0].at, &b = deep.corner[i].at, &c = deep.corner[i + 1].at;
-        turn += (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    }
-    turn = turn < 0 ? -1 : 1;
-    for (int i = 0; i < deep.count; ++i) {
-        if (deep.corner[i].side == no_side) continue;
-        const Point2 &p = deep.corner[i].at, &q = deep.corner[(i + 1) % deep.count].at;
+    for (int i = 0; i < sides.count; ++i) {
+        const int of = sides.side[i] / 4, from = sides.side[i] % 4;
+        const Shadow& shadow = of == 0 ? first_ : second_;
+        const int to = (from + 1) % shadow.sides();
+        const Point2 &p = shadow.at[from], &q = shadow.at[to];
         const Point2 way{q.x - p.x, q.y - p.y};
-        for (const double along : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)}) {
-            outward[points.count] = {0.5 * turn * way.y, -0.5 * turn * way.x};
-            side[points.count] = deep.corner[i].side;
-            points.add(p.x + along * way.x, p.y + along * way.y, 1);
-        }
-    }
-    points.fill_up();
-    for (int begin = 0; begin < points.count; begin += lane_count) {
-        const Lanes x = plash::load<Lanes>(&points.x[begin]), y = plash::load<Lanes>(&points.y[begin]);
-        const Lanes active = gap_ - law.baseline - height_at(place_at(first_, x, y).share, first_) +
-                             height_at(place_at(second_, x, y).share, second_);
-        const Lanes energy = rounded_energy(broadcast<Lanes>(1), active, broadcast<Lanes>(law.rounding));
-        for (int i = begin; i < std::min(points.count, begin + lane_count); ++i) {
-            const int of = side[i] / 4, from = side[i] % 4;
-            const Shadow& shadow = of == 0 ? first_ : second_;
-            const int to = (from + 1) % shadow.sides();
-            const Point2 &p = shadow.at[from], &q = shadow.at[to];
-            const Point2 way{q.x - p.x, q.y - p.y};
-            const double length2 = way.x * way.x + way.y * way.y;
-            if (length2 == 0) continue;
-            const double along = ((points.x[i] - p.x) * way.x + (points.y[i] - p.y) * way.y) / length2;
-            const double size = -energy[i - begin];
-            auto& sum = forces.on[of].in_plane;
-            sum[from].x += (1 - along) * size * outward[i].x;
-            sum[from].y += (1 - along) * size * outward[i].y;
-            sum[to].x += along * size * outward[i].x;
-            sum[to].y += along * size * outward[i].y;
-        }
+        const double length2 = way.x * way.x + way.y * way.y;
+        if (length2 == 0) continue;
+        const double along = ((x[i] - p.x) * way.x + (y[i] - p.y) * way.y) / length2;
+        const Point2& outward = sides.outward[i];
+        auto& sum = forces.on[of].in_plane;
+        sum[from].x -= (1 - along) * energy[i] * outward.x;
+        sum[from].y -= (1 - along) * energy[i] * outward.y;
+        sum[to].x -= along * energy[i] * outward.x;
+        sum[to].y -= along * energy[i] * outward.y;
     }
 }
 
@@ -384,7 +406,7 @@ void SegmentOverlap::scale_by_area(const Shadow& shadow, double size, double par
 /// Takes out what the points of integration leave of the sum of all forces in the plane, which is nothing.
 void SegmentOverlap::balance(const Load& load, Forces& forces) const
 {
-    Point2 left;
+    Point2 left{};
     for (const CornerForces& on : forces.on) {
         for (const Point2& force : on.in_plane) {
             left.x += force.x;
@@ -406,7 +428,7 @@ void SegmentOverlap::hand_over(const Forces& forces, Load& load) const
 {
     Vec3 reach[2][4];
     double square = 0;
-    Point2 middle;
+    Point2 middle{};
     for (const Shadow* shadow : {&first_, &second_}) {
         for (const Point2& at : shadow->at) {
             middle.x += at.x / 8;
@@ -455,7 +477,6 @@ SegmentOverlap::Load SegmentOverlap::load(const Law& law) const
     const double factor = law.first_share * law.first_size / std::max(first_.area, 0.25 * law.first_size) +
                           second_share * law.second_size / std::max(second_.area, 0.25 * law.second_size);
     const double stiffness = factor * law.stiffness;
-    if (law.lateral > 0) press_sides(deep, law, forces);
     for (CornerForces& on : forces.on) {
         for (int i = 0; i < 4; ++i) {
             on.along[i] *= stiffness;

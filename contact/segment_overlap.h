@@ -65,7 +65,7 @@ public:
 
 private:
     struct Point2 {
-        double x = 0, y = 0;
+        double x, y;
     };
     /// A segment in the plane across `normal`, with heights along it.
     struct Shadow {
@@ -73,15 +73,23 @@ private:
         std::array<double, 4> height;
         bool triangle = false;
         double area = 0;
+        /// Of the bilinear map p = s u + t v + s t twist: turn (1 or -1) is the way round of the corners,
+        /// square = turn u x v, bend = turn v x twist.
+        Point2 u, v, twist;
+        double turn, square, bend;
 
         int sides() const { return triangle ? 3 : 4; }
     };
     static constexpr int no_side = -1;
     struct Corner {
         Point2 at;
-        int side =
-            no_side; ///< from here to the next corner: 0 to 3 of the first segment, 4 to 7 of the second
-        double distance = 0; ///< of the two surfaces along `normal` [length]
+        int side;        ///< from here to the next corner: 0 to 3 of the first segment, 4 to 7 of the second
+        double distance; ///< of the two surfaces along `normal` [length]
+
+        Corner() {} // all is set by the one who adds it
+        Corner(const Point2& place, int from_here, double apart = 0)
+            : at(place), side(from_here), distance(apart)
+        {}
     };
     static constexpr int most_corners = 12; ///< of an overlap: four and four, one more by the edge of contact
     struct Polygon {
@@ -114,7 +122,7 @@ private:
     Vec3 along_, beside_, normal_;
     Shadow first_, second_;
     double gap_ = 0;
-    std::array<Corner, most_corners> vertex_{};
+    std::array<Corner, most_corners> vertex_; ///< `count_` of them
     int count_ = 0;
     double least_ = 1e300, most_ = -1e300; ///< distances of the vertices [length]
 
@@ -128,8 +136,20 @@ private:
     void clip();
     void measure();
     Polygon deeper_than(double baseline) const;
+    /// Points on the sides that bound an overlap.
+    struct SidePoints {
+        static constexpr int room = 2 * (most_corners + 1);
+        std::array<Point2, room> outward; ///< times the length of the part [length]
+        std::array<int, room> side;
+        int count = 0;
+    };
+    template <class Points>
+    static double add_area_points(const Polygon& deep, Points& points);
+    template <class Points>
+    static SidePoints add_side_points(const Polygon& deep, Points& points);
     double press_area(const Polygon& deep, const Law& law, Forces& forces) const;
-    void press_sides(const Polygon& deep, const Law& law, Forces& forces) const;
+    void press_sides(const SidePoints& sides, const double* x, const double* y, const double* energy,
+                     Forces& forces) const;
     static void scale_by_area(const Shadow& shadow, double size, double part, CornerForces& forces,
                               double energy);
     void balance(const Load& load, Forces& forces) const;
