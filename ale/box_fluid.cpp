@@ -27,12 +27,14 @@ void BoxFluid::press()
 double BoxFluid::accelerate(double step)
 {
     if (outside_pressure != pressed_) press();
+    if (cut) cut->before_forces();
     return plash::accelerate(grid, fields, contents, step, gravity);
 }
 
 void BoxFluid::deform(double step)
 {
     plash::deform(grid, fields, contents, step, lagrange.mesh_velocity);
+    if (cut) book_cut_work(cut->deform(step));
 }
 
 double BoxFluid::work_on_sides(double) const
@@ -48,6 +50,7 @@ double BoxFluid::sweep()
         find_outflow_shares(grid, fields, contents, axis);
         for (const DryFace& face : dry_faces)
             if (face.axis == axis) close(face);
+        if (cut) cut->share_outflow(axis);
         sweep_cells(grid, fields, contents, scratch_, axis, order);
         if (open_sides) left += motion_through_sides(grid, fields, axis);
         sweep_momentum(grid, fields, contents, scratch_, axis, order, smooth_square);
@@ -68,7 +71,9 @@ void BoxFluid::find_node_masses()
 
 CrossingRate BoxFluid::evaluate(double last_step)
 {
+    if (cut) cut->keep();
     const CrossingRate limit = evaluate_state(grid, fields, contents, groups, lagrange, last_step);
+    if (cut) cut->restore();
     if (outside_pressure != 0 || pressed_ != 0) press();
     return limit;
 }

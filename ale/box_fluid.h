@@ -5,11 +5,28 @@
 
 namespace plash {
 
+/// Cells of a box whose pressure, change of volume and fluxes somebody else knows: called within a step.
+class CutCellStep {
+public:
+    virtual ~CutCellStep() = default;
+    /// Before the pressures of the cells act on whole faces.
+    virtual void before_forces() = 0;
+    /// Once mean velocities are known: volumes, fluxes, fractions and energies for the remap. Returns the
+    /// work of their fluid [energy].
+    virtual double deform(double step) = 0;
+    /// Once the shares of what leaves the cells across an axis are known.
+    virtual void share_outflow(int axis) = 0;
+    /// Before and after pressures are found.
+    virtual void keep() = 0;
+    virtual void restore() = 0;
+};
+
 /// A fluid on a box of cells between planes (BoxGrid).
 class BoxFluid : public Fluid {
 public:
     BoxGrid grid;
     BoxContents contents;
+    CutCellStep* cut = nullptr; ///< not owned; none: there are no such cells
 
     BoxFluid(BoxGrid grid, std::vector<FluidGroup> groups, LagrangeSettings settings);
 

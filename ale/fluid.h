@@ -164,6 +164,8 @@ protected:
     virtual void update_contents() = 0;
     /// Once the shares of what leaves the cells are known, those of a dry face.
     void close(const DryFace& face);
+    /// Forces of outside have done the work of the pressure of some cells, which is not booked as theirs.
+    void book_cut_work(double work) { energies_.coupling_work -= work; }
     virtual double kinetic_energy() const = 0;
     virtual double internal_energy(int group) const = 0;
 

@@ -130,6 +130,10 @@ FluidSettings fluid_settings_of(const Model& model)
         if (!(settings.smooth >= 0 && settings.smooth <= 1)) {
             reject_field(record, "SMOOTH", fmt::format("{:g} is no share between 0 and 1", settings.smooth));
         }
+        const Id cut_cells = record.integer("CUTCELLS");
+        if (cut_cells != 0 && cut_cells != 1)
+            reject_field(record, "CUTCELLS",
+                         fmt::format("{} is not one of 0 springs, 1 cut cells", cut_cells));
     }
     return settings;
 }

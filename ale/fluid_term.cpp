@@ -318,6 +318,7 @@ void EulerianFluid::after_motion(const Clock& clock, State& state)
         fluid_->outside_pressure =
             curve_value(model_, outside_pressure_curve_, clock.time + 0.5 * clock.step);
     if (motion_.deforms()) deform_mesh(clock, state);
+    if (follow_structures) follow_structures(state);
     advance(clock);
     if (motion_.follows() && motion_.rules[motion_.rule_number(clock.time)].follows()) {
         const std::vector<Vec3>& places = hexahedra().mesh.position;

@@ -7,6 +7,7 @@
 #include "ale/mesh_motion.h"
 #include "core/term.h"
 
+#include <functional>
 #include <memory>
 
 namespace plash {
@@ -39,6 +40,9 @@ public:
     BoxFluid& box() { return dynamic_cast<BoxFluid&>(*fluid_); }
     /// The fluid of a mesh that is not.
     HexFluid& hexahedra();
+    /// Called before each step of the fluid, when the structures have moved.
+    std::function<void(const State&)> follow_structures;
+    bool moves() const { return motion_.moves(); }
     const MeshBlock& block() const { return block_; }
     const DeckGroups& groups() const { return groups_; }
     /// Acceleration of the frame's loads on the fluid [acceleration].

@@ -110,6 +110,9 @@ CouplingOptions structured_fsi(const Model& model, const Record& record, const D
 std::vector<CouplingOptions> coupling_options_of(const Model& model, const DeckGroups& groups)
 {
     std::vector<CouplingOptions> couplings;
+    bool cut_cells = false;
+    for (const Record& record : model.others)
+        if (record.keyword == "PLASH_ALE_FORMULATION") cut_cells = record.integer("CUTCELLS") == 1;
     for (const Record& record : model.others) {
         if (record.keyword == "CONSTRAINED_LAGRANGE_IN_SOLID")
             couplings.push_back(lagrange_in_solid(model, record, groups));
@@ -117,6 +120,7 @@ std::vector<CouplingOptions> coupling_options_of(const Model& model, const DeckG
             couplings.push_back(structured_fsi(model, record, groups));
         else
             continue;
+        couplings.back().cut_cells = cut_cells;
         if (couplings.back().id == 0) couplings.back().id = static_cast<Id>(couplings.size());
     }
     return couplings;

@@ -35,6 +35,7 @@ struct CouplingOptions {
     /// so.
     bool both_sides = false;
     Id contact = 0;
+    bool cut_cells = false; ///< CUTCELLS of *PLASH_ALE_FORMULATION
 };
 
 /// All couplings of a Model, in deck order; the groups are those of its Eulerian meshes.

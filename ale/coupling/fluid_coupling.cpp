@@ -1,5 +1,6 @@
 #include "ale/coupling/fluid_coupling.h"
 
+#include "ale/coupling/cut_coupling.h"
 #include "core/parallel.h"
 #include "core/prescribed_rate.h"
 
@@ -529,10 +530,10 @@ Vec3 FluidCoupling::force() const
     return sum;
 }
 
-std::vector<std::unique_ptr<FluidCoupling>>
+std::vector<std::unique_ptr<SurfaceCoupling>>
 make_fluid_couplings(const Model& model, const std::vector<EulerianFluid*>& fluids, const State& state)
 {
-    std::vector<std::unique_ptr<FluidCoupling>> couplings;
+    std::vector<std::unique_ptr<SurfaceCoupling>> couplings;
     if (fluids.empty()) return couplings;
     const std::vector<CouplingOptions> all = coupling_options_of(model, fluids.front()->groups());
     if (all.empty()) return couplings;
@@ -551,6 +552,10 @@ make_fluid_couplings(const Model& model, const std::vector<EulerianFluid*>& flui
                 throw DeckError(options.where, fmt::format("coupling {}: its structure has no shells and no "
                                                            "outer faces of solids",
                                                            options.id));
+            if (options.cut_cells) {
+                couplings.push_back(make_cut_coupling(options, surface, *fluid, state.position));
+                continue;
+            }
             if (options.both_sides) add_back_sides(surface);
             couplings.push_back(
                 std::make_unique<FluidCoupling>(model, options, std::move(surface), *fluid, state.position));

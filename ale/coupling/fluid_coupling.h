@@ -3,7 +3,7 @@
 #include "ale/coupling/coupling_options.h"
 #include "ale/coupling/coupling_points.h"
 #include "ale/coupling/interface_depth.h"
-#include "core/term.h"
+#include "ale/coupling/surface_coupling.h"
 
 #include <memory>
 #include <optional>
@@ -17,20 +17,18 @@ namespace plash {
 /// (2000), 'Eulerian-Lagrangian coupling using fluid-structure interaction algorithm', for the penalty form;
 /// Aquelet, Souli & Olovsson (2006), Comput. Methods Appl. Mech. Engrg. 195, 110-132, for stiffness and
 /// damping.
-class FluidCoupling : public Term {
+class FluidCoupling : public SurfaceCoupling {
 public:
     FluidCoupling(const Model& model, CouplingOptions options, Surface surface, EulerianFluid& fluid,
                   const std::vector<Vec3>& position);
 
-    std::string_view name() const override { return "fluid coupling"; }
     std::size_t items() const override { return points_.size(); }
     void add_forces(const Clock& clock, State& state) override;
     void report(EnergyLedger& ledger) const override;
     void serialise(Archive& archive) override;
     void collect(const State& state, ElementResults& results) const override;
 
-    /// Force on the structure at t_n [force].
-    Vec3 force() const;
+    Vec3 force() const override;
 
 private:
     /// What is known of a point in this cycle.
@@ -104,7 +102,7 @@ private:
 };
 
 /// The couplings of a Model with these fluids.
-std::vector<std::unique_ptr<FluidCoupling>>
+std::vector<std::unique_ptr<SurfaceCoupling>>
 make_fluid_couplings(const Model& model, const std::vector<EulerianFluid*>& fluids, const State& state);
 
 } // namespace plash

@@ -2,6 +2,7 @@
 #include "core/run_error.h"
 #include "tests/paths.h"
 #include "tests/support/adaptive_deck.h"
+#include "tests/support/ale_deck.h"
 #include "tests/support/crash_deck.h"
 #include "tests/support/joined_deck.h"
 #include "tests/support/splash_deck.h"
@@ -179,6 +180,37 @@ TEST_P(RestartOf, EveryRestartFileOfARunLeadsToTheSameEnd)
         ++count;
     }
     EXPECT_EQ(count, 4);
+}
+
+// A box that floats in water that it cuts, before and while its floor passes from a layer of cells to the
+// next.
+TEST(Restart, BodiesThatCutCellsGoOn)
+{
+    const TemporaryFolder folder;
+    const fs::path deck = folder / "box.k";
+    int first = 100000;
+    const Vec3 corner{0, 0, 0.17}, along{0, 0.05, 0}, floor{0.08, 0, 0}, up{0, 0, 0.2};
+    std::ofstream(deck)
+        << "*KEYWORD\n"
+        << testing::structured_mesh({0, 0, 0}, {0.2, 0.05, 0.4}, {8, 1, 16})
+        << testing::liquid_and_void(1000, 20) << testing::liquid_in_box({0, 0, 0}, {0.2, 1, 0.26})
+        << "5,0,2\n0,0,0.17,0.08,1,1\n"
+        << "*PART\nbox\n20,20,20\n*SECTION_SHELL\n20,2\n0.01,0.01,0.01,0.01\n"
+           "*MAT_RIGID\n20,2000,2e11,0.3\n1,4,7\n\n"
+           "*CONSTRAINED_LAGRANGE_IN_SOLID\n20,10,1,1,2,4,1,1\n\n*PLASH_ALE_FORMULATION\n0,1\n"
+           "*DATABASE_GLSTAT\n1e-3\n*DATABASE_BINARY_D3PLOT\n0.02\n*DATABASE_BINARY_D3DUMP\n60\n"
+        << testing::shell_patch(20, first, corner, along, floor, 1, 4)
+        << testing::shell_patch(20, first, corner + floor, along, up, 1, 8) << testing::gravity(9.81)
+        << testing::closed(0.15);
+    ASSERT_EQ(Process(run_command(deck, folder / "run", false)).exit_code(), 0);
+    const auto whole = results_in(folder / "run");
+    for (const char* name : {"d3dump01", "d3dump03"}) {
+        fs::copy(fs::path(folder / "run") / name, folder / name);
+        std::vector<std::string> words = run_command(deck, folder / "run", false);
+        words.insert(words.end(), {"--restart", folder / name});
+        ASSERT_EQ(Process(words).exit_code(), 0) << name;
+        expect_same_files(whole, folder / "run");
+    }
 }
 
 TEST(Restart, ParticlesThatWaitInSolidsComeOutAgain)
