@@ -15,9 +15,10 @@ double along_axis(const Vec3& v, int axis)
 
 } // namespace
 
-BoxCuts::BoxCuts(const BoxGrid& grid)
-    : cells_along_{grid.cells(0), grid.cells(1), grid.cells(2)},
-      stride_{grid.stride(0), grid.stride(1), grid.stride(2)},
+BoxCuts::BoxCuts(const BoxGrid& grid, int axis)
+    : axes_{(axis + 1) % 3, (axis + 2) % 3, axis},
+      cells_along_{grid.cells(axes_[0]), grid.cells(axes_[1]), grid.cells(axes_[2])},
+      stride_{grid.stride(axes_[0]), grid.stride(axes_[1]), grid.stride(axes_[2])},
       origin_(grid.at(0, 0, 0)),
       cell_entry_(grid.storage(), none),
       edge_entry_(grid.storage(), none),
@@ -54,8 +55,8 @@ void BoxCuts::place_planes(const BoxGrid& grid)
 {
     constexpr double offset[3] = {1.0e-7, 1.37e-7, 1.71e-7};
     for (int axis = 0; axis < 3; ++axis) {
-        planes_[axis] = grid.planes(axis);
-        const double step = offset[axis] * grid.smallest_width(axis);
+        planes_[axis] = grid.planes(axes_[axis]);
+        const double step = offset[axis] * grid.smallest_width(axes_[axis]);
         for (double& plane : planes_[axis]) plane += step;
         planes_[axis].back() -= 2 * step;
     }
@@ -66,7 +67,8 @@ void BoxCuts::find(const BoxGrid& grid, std::span<const SurfaceTriangle> triangl
     clear();
     place_planes(grid);
     for (std::size_t number = 0; number < triangles.size(); ++number) {
-        const auto& corner = triangles[number].corner;
+        std::array<Vec3, 3> corner;
+        for (int n = 0; n < 3; ++n) corner[n] = turned(triangles[number].corner[n]);
         Polygon polygon;
         polygon.count = 3;
         std::copy(corner.begin(), corner.end(), polygon.corner.begin());
@@ -250,16 +252,18 @@ BoxCuts::Level BoxCuts::level(int i, int j, int k) const
     return level;
 }
 
-bool BoxCuts::node_open(int i, int j, int k) const
+bool BoxCuts::node_of(const std::array<int, 3>& index) const
 {
+    const auto [i, j, k] = index;
     double open = start_;
     const auto [first, end] = edge_columns_[column(i, j)];
     for (Index n = first; n < end && edge_sums_[n].index[2] < k; ++n) open += edge_sums_[n].step;
     return open > 0.5;
 }
 
-double BoxCuts::open_share(int i, int j, int k) const
+double BoxCuts::share_of(const std::array<int, 3>& index) const
 {
+    const auto [i, j, k] = index;
     double open = level(i, j, k).open;
     const Index entry = cell_entry_[at(i, j, k)];
     if (entry != none) open += cell_sums_[entry].times_rest;
@@ -268,6 +272,16 @@ double BoxCuts::open_share(int i, int j, int k) const
 
 BoxCuts::Face BoxCuts::face(int axis, int i, int j, int k) const
 {
+    const int own = static_cast<int>(std::find(axes_.begin(), axes_.end(), axis) - axes_.begin());
+    Face face = face_of(own, turned(std::array{i, j, k}));
+    const int a = own == 0 ? 1 : 0, b = own == 2 ? 1 : 2;
+    if (axes_[a] > axes_[b]) std::swap(face.middle[0], face.middle[1]);
+    return face;
+}
+
+BoxCuts::Face BoxCuts::face_of(int axis, const std::array<int, 3>& index) const
+{
+    const auto [i, j, k] = index;
     double open;
     std::array<double, 2> moment;
     if (axis == 2) {
@@ -275,7 +289,7 @@ BoxCuts::Face BoxCuts::face(int axis, int i, int j, int k) const
         open = below.open;
         moment = below.moment;
     } else {
-        const double node = node_open(i, j, k) ? 1 : 0;
+        const double node = node_of(index) ? 1 : 0;
         open = node;
         moment = {0.5 * node, 0.5 * node};
         if (const Index entry = edge_entry_[at(i, j, k)]; entry != none) {
@@ -298,20 +312,18 @@ BoxCuts::Face BoxCuts::face(int axis, int i, int j, int k) const
 Vec3 BoxCuts::gap(const Cell& cell) const
 {
     Vec3 sum{};
-    for (const Piece& piece : pieces(cell)) sum += piece.area;
-    const auto width = [&](int axis) {
-        return planes_[axis][cell.index[axis] + 1] - planes_[axis][cell.index[axis]];
-    };
+    for (const Piece& piece : pieces(cell)) sum += turned(piece.area);
+    const std::array<int, 3> index = turned(cell.index);
+    const auto width = [&](int axis) { return planes_[axis][index[axis] + 1] - planes_[axis][index[axis]]; };
     Vec3 gap;
     for (int axis = 0; axis < 3; ++axis) {
-        std::array<int, 3> above = cell.index;
+        std::array<int, 3> above = index;
         ++above[axis];
         const double area = width((axis + 1) % 3) * width((axis + 2) % 3);
-        gap.*vector_component[axis] = face(axis, above[0], above[1], above[2]).open -
-                                      face(axis, cell.index[0], cell.index[1], cell.index[2]).open -
-                                      along_axis(sum, axis) / area;
+        gap.*vector_component[axis] =
+            face_of(axis, above).open - face_of(axis, index).open - along_axis(sum, axis) / area;
     }
-    return gap;
+    return turned_back(gap);
 }
 
 void BoxCuts::find_open_cells()
@@ -319,10 +331,13 @@ void BoxCuts::find_open_cells()
     for (std::size_t n = 0; n < found_.size(); ++n) {
         if (n == 0 || found_[n].place != found_[n - 1].place) {
             const auto index = cell_sums_[cell_entry_[found_[n].place]].index;
-            cells_.push_back({index, open_share(index[0], index[1], index[2]), n, n});
+            std::array<int, 3> back;
+            for (int axis = 0; axis < 3; ++axis) back[axes_[axis]] = index[axis];
+            cells_.push_back({back, share_of(index), n, n});
         }
         cells_.back().last = n + 1;
-        pieces_.push_back(found_[n].piece);
+        const Piece& piece = found_[n].piece;
+        pieces_.push_back({piece.triangle, turned_back(piece.area), turned_back(piece.middle)});
     }
 }
 

@@ -18,8 +18,10 @@ struct SurfaceTriangle {
 /// All shares are sums over the pieces of the triangles in the cells (divergence theorem), the segments in
 /// which they cut the faces and the points in which they cut the edges, so that they are exact for the
 /// triangles, the same for both cells of a face, and continuous as the surface moves; faces and pieces of a
-/// cell close to round-off. Only what the surface cuts is visited. Edges along the third axis and faces
-/// across it are followed from the lower side of the box on, all of which lies on one side of the surface.
+/// cell close to round-off. Only what the surface cuts is visited. Edges along one axis and faces across it
+/// are followed from the lower side of the box on, all of which lies on one side of the surface.
+///
+/// Inside, axes are turned so that this is the third.
 class BoxCuts {
 public:
     struct Piece {
@@ -39,7 +41,8 @@ public:
         std::array<double, 2> middle{0.5, 0.5};
     };
 
-    explicit BoxCuts(const BoxGrid& grid);
+    /// axis  along which edges are followed
+    explicit BoxCuts(const BoxGrid& grid, int axis = 2);
 
     void find(const BoxGrid& grid, std::span<const SurfaceTriangle> triangles);
 
@@ -50,10 +53,10 @@ public:
         return std::span(pieces_).subspan(cell.first, cell.last - cell.first);
     }
     /// Of any cell.
-    double open_share(int i, int j, int k) const;
+    double open_share(int i, int j, int k) const { return share_of(turned(std::array{i, j, k})); }
     /// The lower face of a cell across an axis; the index may be that of the ghost at the upper end.
     Face face(int axis, int i, int j, int k) const;
-    bool node_open(int i, int j, int k) const;
+    bool node_open(int i, int j, int k) const { return node_of(turned(std::array{i, j, k})); }
     /// What the faces and pieces of a cell miss of closing along each axis, in areas of its faces: nothing
     /// where the surface is closed.
     Vec3 gap(const Cell& cell) const;
@@ -88,9 +91,10 @@ private:
         std::array<double, 2> moment;
     };
 
+    std::array<int, 3> axes_; ///< of the box, in turned order
     std::array<int, 3> cells_along_;
     std::array<std::vector<double>, 3> planes_; ///< a little beside those of the grid
-    std::vector<std::ptrdiff_t> stride_;
+    std::array<std::ptrdiff_t, 3> stride_;
     std::ptrdiff_t origin_;
     double start_ = 1; ///< share that is open at the lower side
     std::vector<Cell> cells_;
@@ -103,8 +107,28 @@ private:
     std::array<std::vector<Index>, 2> face_entry_;
     std::vector<std::pair<Index, Index>> cell_columns_, edge_columns_; ///< first and end of their sums
 
-    std::ptrdiff_t at(int i, int j, int k) const { return origin_ + i + j * stride_[1] + k * stride_[2]; }
+    std::ptrdiff_t at(int i, int j, int k) const
+    {
+        return origin_ + i * stride_[0] + j * stride_[1] + k * stride_[2];
+    }
     std::size_t column(int i, int j) const { return i + std::size_t(cells_along_[0] + 1) * j; }
+    std::array<int, 3> turned(const std::array<int, 3>& index) const
+    {
+        return {index[axes_[0]], index[axes_[1]], index[axes_[2]]};
+    }
+    Vec3 turned(const Vec3& v) const
+    {
+        return {v.*vector_component[axes_[0]], v.*vector_component[axes_[1]], v.*vector_component[axes_[2]]};
+    }
+    Vec3 turned_back(const Vec3& v) const
+    {
+        Vec3 back;
+        for (int n = 0; n < 3; ++n) back.*vector_component[axes_[n]] = v.*vector_component[n];
+        return back;
+    }
+    double share_of(const std::array<int, 3>& index) const;
+    Face face_of(int axis, const std::array<int, 3>& index) const;
+    bool node_of(const std::array<int, 3>& index) const;
     void clear();
     void place_planes(const BoxGrid& grid);
     void cut(const Polygon& polygon, int axis, std::array<int, 3>& index, Index triangle, const Vec3& normal);

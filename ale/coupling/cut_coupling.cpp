@@ -26,8 +26,20 @@ CutCoupling::CutCoupling(const CouplingOptions& options, const Surface& surface,
     }
     triangles_.resize(corners_.size());
     force_.resize(3 * corners_.size());
-    find_cuts(position);
-    refuse_gaps(options);
+    for (const int axis : {2, 1, 0}) {
+        for (BoxCuts& cuts : cuts_) cuts = BoxCuts(fluid.box().grid, axis);
+        find_cuts(position);
+        if (!gap()) break;
+    }
+    if (const BoxCuts::Cell* cell = gap()) {
+        const Vec3& at = cuts_[now_].pieces(*cell)[0].middle;
+        throw DeckError(
+            options.where,
+            fmt::format("coupling {}: its surface is not closed in the fluid, or there is no lower side "
+                        "of the mesh that lies on one side of it, as CUTCELLS of "
+                        "*PLASH_ALE_FORMULATION wants it, near ({:g}, {:g}, {:g})",
+                        options.id, at.x, at.y, at.z));
+    }
     fluid.box().cut = &cells_;
     fluid.follow_structures = [this](const State& state) {
         now_ = 1 - now_;
@@ -36,8 +48,8 @@ CutCoupling::CutCoupling(const CouplingOptions& options, const Surface& surface,
     };
 }
 
-/// Where there is fluid in a cell that is cut or beside it.
-void CutCoupling::refuse_gaps(const CouplingOptions& options) const
+/// A cell that the surface does not close, with fluid in it or beside it.
+const BoxCuts::Cell* CutCoupling::gap() const
 {
     const BoxGrid& grid = fluid_.box().grid;
     const AlignedDoubles& mass = fluid_.box().fields.total_mass();
@@ -46,14 +58,9 @@ void CutCoupling::refuse_gaps(const CouplingOptions& options) const
         bool wet = mass[place] > 0;
         for (int axis = 0; axis < 3; ++axis)
             wet = wet || mass[place - grid.stride(axis)] > 0 || mass[place + grid.stride(axis)] > 0;
-        if (!wet || norm(cuts_[now_].gap(cell)) < 1e-6) continue;
-        const Vec3& at = cuts_[now_].pieces(cell)[0].middle;
-        throw DeckError(options.where,
-                        fmt::format("coupling {}: its surface is not closed in the fluid, or does not lie "
-                                    "above the lower side of the mesh, as CUTCELLS of "
-                                    "*PLASH_ALE_FORMULATION wants it, near ({:g}, {:g}, {:g})",
-                                    options.id, at.x, at.y, at.z));
+        if (wet && norm(cuts_[now_].gap(cell)) > 1e-6) return &cell;
     }
+    return nullptr;
 }
 
 void CutCoupling::find_cuts(const std::vector<Vec3>& position)

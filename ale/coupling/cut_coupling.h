@@ -42,7 +42,7 @@ private:
     std::vector<Index> outside_entry_; ///< of each node of the fluid among its outside forces
     double work_on_structure_ = 0;
 
-    void refuse_gaps(const CouplingOptions& options) const;
+    const BoxCuts::Cell* gap() const;
     void find_cuts(const std::vector<Vec3>& position);
     bool has_moved(const State& state) const;
     std::array<double, 3> weights(const BoxCuts::Piece& piece) const;

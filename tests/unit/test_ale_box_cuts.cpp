@@ -41,6 +41,20 @@ TEST(AleBoxCuts, OpenPartsAreAllButTheBody)
     ASSERT_GT(volume, 0.1);
     BoxCuts cuts(grid);
     for (int repeat = 0; repeat < 2; ++repeat) cuts.find(grid, tetrahedron(a, b, c, d));
+    // Along whichever axis edges are followed.
+    for (const int along : {0, 1}) {
+        BoxCuts others(grid, along);
+        others.find(grid, tetrahedron(a, b, c, d));
+        for_cut_grid([&](int i, int j, int k) {
+            EXPECT_NEAR(others.open_share(i, j, k), cuts.open_share(i, j, k), 1e-5);
+            for (int axis = 0; axis < 3; ++axis) {
+                const BoxCuts::Face one = cuts.face(axis, i, j, k), other = others.face(axis, i, j, k);
+                EXPECT_NEAR(other.open, one.open, 1e-5);
+                if (one.open < 0.01) continue;
+                for (int n = 0; n < 2; ++n) EXPECT_NEAR(other.middle[n], one.middle[n], 1e-4);
+            }
+        });
+    }
     double open = 0;
     for_cut_grid([&](int i, int j, int k) { open += cuts.open_share(i, j, k) * grid.volume(i, j, k); });
     EXPECT_NEAR(open, 1.5 * 1.3 * 1.6 - volume, 1e-6 * volume);
