@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <random>
 
 /// *CONTROL_DYNAMIC_RELAXATION IDRFLG = 5: nothing is accelerated when the run begins.
 namespace plash::static_starts {
@@ -43,16 +44,22 @@ double first_unrest(testing::DeckRun& deck)
 }
 
 /// A basin of Lagrangian water of 4 x 4 x 8 cubes of 0.1 between slipping walls.
-std::string basin_of_solids()
+/// shaken  nodes inside stand off by up to this share of a cube along each axis
+std::string basin_of_solids(double shaken = 0, int hourglass_control = 1)
 {
     constexpr int across = 4, layers = 8;
+    std::minstd_rand random(1);
     std::string nodes = "*NODE\n", solids = "*ELEMENT_SOLID\n", fixed = "*BOUNDARY_SPC_NODE\n";
     const auto number = [&](int i, int j, int k) { return 1 + i + (across + 1) * (j + (across + 1) * k); };
     for (int k = 0; k <= layers; ++k)
         for (int j = 0; j <= across; ++j)
             for (int i = 0; i <= across; ++i) {
                 const int n = number(i, j, k);
-                nodes += fmt::format("{},{},{},{}\n", n, 0.1 * i, 0.1 * j, 0.1 * k);
+                const auto place = [&](int step, bool on_side) {
+                    return 0.1 * (step + (on_side ? 0 : shaken * (2.0 * random() / random.max() - 1)));
+                };
+                const double x = place(i, i % across == 0), y = place(j, j % across == 0);
+                nodes += fmt::format("{},{:.9g},{:.9g},{:.9g}\n", n, x, y, place(k, k % layers == 0));
                 fixed += fmt::format("{},0,{},{},{},0,0,0\n", n, int(i % across == 0), int(j % across == 0),
                                      int(k == 0));
                 if (i == across || j == across || k == layers) continue;
@@ -61,10 +68,10 @@ std::string basin_of_solids()
                                       number(i + 1, j, k + 1), number(i + 1, j + 1, k + 1),
                                       number(i, j + 1, k + 1));
             }
-    return "*KEYWORD\n" + one_cycle +
-           "*PART\nwater\n1,1,1,1,1\n*SECTION_SOLID\n1,1\n*HOURGLASS\n1,1,1e-3\n"
-           "*MAT_NULL\n1,1000,-1e20\n*EOS_GRUNEISEN\n1,1484,1.75,0,0,0.28\n0,1\n" +
-           weight + statics + nodes + solids + fixed + "*END\n";
+    return "*KEYWORD\n" + one_cycle + "*PART\nwater\n1,1,1,1,1\n*SECTION_SOLID\n1,1\n*HOURGLASS\n1," +
+           fmt::format("{},{}\n", hourglass_control, hourglass_control == 4 ? 0.1 : 1e-3) +
+           "*MAT_NULL\n1,1000,-1e20\n*EOS_GRUNEISEN\n1,1484,1.75,0,0,0.28\n0,1\n" + weight + statics + nodes +
+           solids + fixed + "*END\n";
 }
 
 /// A basin of particles 0.4 x 0.4 x 0.6 between mirrors, 0.1 apart.
@@ -212,9 +219,9 @@ TEST(StaticStart, BoxFloatsAtRest)
     EXPECT_LT(unrest.water, bound);
 }
 
-// A tank of elastic walls, 10 mm thick and clamped along their edges, on a rigid floor, full of Eulerian
-// water half a cell high and more. Measured: walls 1.5e-6 g, water 9e-6 g; 783 sums of forces.
-TEST(StaticStart, ElasticTankRestsWithItsWater)
+/// A tank of elastic walls, clamped along their edges, on a rigid floor, full of Eulerian water half a cell
+/// high and more. Its walls move outward by `bulge` at least.
+void expect_tank_at_rest(double thickness, double bulge, double water)
 {
     const Threads one(1);
     constexpr double side = 0.2, low = 0.1, level = 0.25;
@@ -238,19 +245,49 @@ TEST(StaticStart, ElasticTankRestsWithItsWater)
     }
     testing::EulerianRun run(
         tank_of_cells() + testing::liquid_in_box({low, low, low}, {low + side, low + side, level}) +
-        hydrostatic(level) +
-        "*PART\nwalls\n20,20,20\n*SECTION_SHELL\n20,2\n0.01,0.01,0.01,0.01\n"
+        hydrostatic(level) + "*PART\nwalls\n20,20,20\n*SECTION_SHELL\n20,2\n" +
+        fmt::format("{0},{0},{0},{0}\n", thickness) +
         "*MAT_ELASTIC\n20,7800,2e11,0.3\n*PART\nfloor\n21,20,21\n*MAT_RIGID\n21,7800,2e11,0.3\n1,7,7\n\n"
         "*SET_PART_LIST\n30\n20,21\n"
         "*CONSTRAINED_LAGRANGE_IN_SOLID\n30,10,0,1,2,4,2,1\n0,0,0.1,0,0.3,0,0,0.2\n" +
         text + fixed + weight + statics + testing::closed(2e-5));
     const Unrest unrest = unrest_of(run);
     EXPECT_LT(unrest.structure, bound);
-    EXPECT_LT(unrest.water, bound);
+    EXPECT_LT(unrest.water, water);
     double outward = 0; // the walls do bear the water
     for (std::size_t node = 0; node < run.scene().state.size(); ++node)
         outward = std::max(outward, run.scene().state.position[node].x - run.model().nodes.position[node].x);
-    EXPECT_GT(outward, 1e-8);
+    EXPECT_GT(outward, bulge);
+}
+
+// Measured: walls 2e-7 g, water 9e-6 g; 226 sums of forces.
+TEST(StaticStart, ElasticTankRestsWithItsWater)
+{
+    expect_tank_at_rest(0.01, 1e-8, bound);
+}
+// Walls that move by 1.2e-6 slope by 5e-5, which the faces of the water's cells do not: 1.04e-3 g in the
+// water.
+TEST(StaticStart, ThinTankRestsWithItsWater)
+{
+    expect_tank_at_rest(0.002, 1e-6, 1.5e-3);
+}
+
+// Water on a distorted mesh: nodes stand off by up to a tenth of a cell. Pressures constant in cells cannot
+// carry the weight of lumped masses there: with the nodes where they are the least largest acceleration over
+// all pressures is 0.044 g (linear programming), that of the smallest sum of squares 0.062 g. Measured 0.055
+// g. Stiffness against hourglassing (IHQ = 4) gives every node a place at rest. Measured 7e-9 g, 334 sums.
+TEST(StaticStart, DistortedWaterRestsAsFarAsPressuresCarryIt)
+{
+    const Threads one(1);
+    testing::DeckRun bare(basin_of_solids(0.1, 1));
+    first_unrest(bare);
+    EXPECT_FALSE(bare.outcome.relaxation.converged);
+    EXPECT_LT(bare.outcome.relaxation.last_acceleration, 0.062);
+    EXPECT_LT(bare.outcome.relaxation.cycles, 10000);
+    testing::DeckRun stiff(basin_of_solids(0.1, 4));
+    EXPECT_LT(first_unrest(stiff), bound);
+    EXPECT_TRUE(stiff.outcome.relaxation.converged);
+    EXPECT_LT(stiff.outcome.relaxation.cycles, 1000);
 }
 
 // The hydrostatic start of an Eulerian mesh goes with its water into both other forms.
