@@ -155,9 +155,7 @@ std::vector<PlyPlace> plies_of(const Model& model, Index element)
     if (!layers.empty()) return plies;
 
     const Id points = section.integer("NIP") == 0 ? 2 : section.integer("NIP");
-    const ThicknessRule rule = section.real("QR/IRID") == 1 && points > 1
-                                   ? trapezoidal_rule(static_cast<int>(points))
-                                   : gauss_rule(static_cast<int>(points));
+    const ThicknessRule rule = thickness_rule(model, section, points, "QR/IRID");
     const Table* angles = section.integer("ICOMP") == 1 ? section.table("ANGLE") : nullptr;
     for (int point = 0; point < rule.size(); ++point) {
         const bool given = angles && point < static_cast<int>(angles->rows());

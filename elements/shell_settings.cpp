@@ -145,6 +145,35 @@ ThicknessRule gauss_rule(int points)
     return rule;
 }
 
+ThicknessRule lobatto_rule(int points)
+{
+    // Abramowitz & Stegun (1972), 25.4.32: the ends and the zeros of P'(n-1), weights 2 / (n (n - 1)
+    // P(n-1)^2).
+    const int last = points - 1;
+    ThicknessRule rule;
+    for (int point = 0; point < points; ++point) {
+        double x = -std::cos(std::numbers::pi * point / last), value = 0;
+        for (int iteration = 0; iteration < 50; ++iteration) {
+            double before = 1;
+            value = x;
+            for (int degree = 2; degree <= last; ++degree) {
+                const double next = ((2 * degree - 1) * x * value - (degree - 1) * before) / degree;
+                before = value;
+                value = next;
+            }
+            // Newton's method on (x^2 - 1) P'(n-1) = (n - 1) (x P(n-1) - P(n-2)), whose slope is n (n - 1)
+            // P(n-1).
+            const double change = (x * value - before) / (points * value);
+            x -= change;
+            if (std::abs(change) < 1e-16) break;
+        }
+        if (2 * point == last) x = 0;
+        rule.place.push_back(x);
+        rule.weight.push_back(1 / (points * last * value * value));
+    }
+    return rule;
+}
+
 ThicknessRule trapezoidal_rule(int points)
 {
     ThicknessRule rule;
@@ -167,8 +196,11 @@ ThicknessRule thickness_rule(const Model& model, const Record& section, Id point
                                  rule));
     }
     if (rule < 0) return user_rule(model, section, -static_cast<Id>(rule), field);
-    return rule == 1 && points > 1 ? trapezoidal_rule(static_cast<int>(points))
-                                   : gauss_rule(static_cast<int>(points));
+    if (rule == 1 && points > 1) return trapezoidal_rule(static_cast<int>(points));
+    // With two points Lobatto's rule is that of the surfaces alone; LS-DYNA takes Gauss's.
+    return model.controls.elements.thickness_integration == 1 && points > 2
+               ? lobatto_rule(static_cast<int>(points))
+               : gauss_rule(static_cast<int>(points));
 }
 
 ShellSettings shell_settings(const Model& model, Index part_index, double density, double young_modulus,

@@ -10,8 +10,11 @@ ThicknessRule gauss_rule(int points);
 /// Equally spaced points from surface to surface with trapezoidal weights (QR/IRID = 1); 2 points or more.
 ThicknessRule trapezoidal_rule(int points);
 
+/// Gauss-Lobatto rule with 3 to 10 points, the outer ones on the surfaces (INTGRD = 1).
+ThicknessRule lobatto_rule(int points);
+
 /// Points through the thickness that a section asks for.
-/// field  of the rule: 0 Gauss, 1 trapezoidal, below 0 an *INTEGRATION_SHELL
+/// field  of the rule: 0 as INTGRD of *CONTROL_SHELL says, 1 trapezoidal, below 0 an *INTEGRATION_SHELL
 ThicknessRule thickness_rule(const Model& model, const Record& section, Id points, const char* field);
 
 /// Reads and checks what *SECTION_SHELL, *HOURGLASS and the controls say for the shells of a part.

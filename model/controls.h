@@ -46,6 +46,7 @@ struct ElementControls {
     int warping = 2;                    ///< BWC: 1 Belytschko-Wong-Chiang, 2 Belytschko-Tsay
     int plane_stress_plasticity = 1;    ///< MITER
     int projection = 0;                 ///< PROJ
+    int thickness_integration = 0;      ///< INTGRD: 0 Gauss, 1 Lobatto, where a section names no rule
     int sort_solids = 0;                ///< ESORT of *CONTROL_SOLID
 };
 

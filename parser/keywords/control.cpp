@@ -116,6 +116,7 @@ void read_shell(const Record& record, const Block&, Reading& reading)
     elements.thickness_change = whole(record, "ISTUPD");
     elements.shell_theory = whole(record, "THEORY");
     elements.warping = whole(record, "BWC");
+    elements.thickness_integration = whole(record, "INTGRD");
     elements.plane_stress_plasticity = whole(record, "MITER");
     elements.projection = whole(record, "PROJ");
 }

@@ -2,6 +2,7 @@
 #include "elements/shell_settings.h"
 #include "elements/shell_triangle.h"
 #include "materials/elastic.h"
+#include "tests/support/solid_block.h"
 
 #include <gtest/gtest.h>
 
@@ -315,6 +316,37 @@ TEST(ThicknessRules, GaussPointsIntegratePolynomialsExactly)
         }
         for (int i = 1; i < points; ++i) EXPECT_LT(rule.place[i - 1], rule.place[i]);
     }
+}
+
+TEST(ThicknessRules, LobattoPointsReachTheSurfacesAndIntegratePolynomialsExactly)
+{
+    for (int points = 3; points <= 10; ++points) {
+        const ThicknessRule rule = lobatto_rule(points);
+        ASSERT_EQ(rule.size(), points);
+        EXPECT_EQ(rule.place.front(), -1);
+        EXPECT_EQ(rule.place.back(), 1);
+        for (int degree = 0; degree < 2 * points - 2; ++degree) {
+            double integral = 0;
+            for (int i = 0; i < points; ++i) integral += rule.weight[i] * std::pow(rule.place[i], degree);
+            EXPECT_NEAR(integral, degree % 2 ? 0 : 1.0 / (degree + 1), 1e-15) << points << " " << degree;
+        }
+    }
+}
+
+/// INTGRD of *CONTROL_SHELL speaks where the section does not, and not for two points.
+TEST(ThicknessRules, TheControlCardChoosesLobattos)
+{
+    Model model;
+    model.controls.elements.thickness_integration = 1;
+    const auto rule_of = [&](double rule, Id points) {
+        const Record section = testing::record_of("SECTION_SHELL", 1, {{"QR/IRID", rule}});
+        return thickness_rule(model, section, points, "QR/IRID").place;
+    };
+    EXPECT_EQ(rule_of(0, 5), lobatto_rule(5).place);
+    EXPECT_EQ(rule_of(0, 2), gauss_rule(2).place);
+    EXPECT_EQ(rule_of(1, 5), trapezoidal_rule(5).place);
+    model.controls.elements.thickness_integration = 0;
+    EXPECT_EQ(rule_of(0, 5), gauss_rule(5).place);
 }
 
 TEST(ThicknessRules, TrapezoidalRuleTakesTheSurfaces)
