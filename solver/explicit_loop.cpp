@@ -100,6 +100,7 @@ Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
     StepControl step_control(scene.model);
     Terminations terminations(scene);
     const RunParts parts{scene, step_control, terminations, outcome, recorders};
+    scene.ledger.open_cycle(scene.model.parts.size()); // for recorders, should the first cycle fail
     const bool restarted = !options.restart_from.empty();
     const int last_dump = restarted ? load_run(options.restart_from, parts) : 0;
     RestartFiles restart_files(options.restart, scene.model.controls.output.restart, last_dump);
