@@ -1,7 +1,5 @@
 #include "ale/coupling/cut_coupling.h"
 
-#include "core/prescribed_rate.h"
-
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
