@@ -418,6 +418,33 @@ TEST(AleCutCells, WedgesFeelTheForceOfTheSimilaritySolution)
     EXPECT_NEAR(enter(45, 20, 60, 36, by_cut_cells).slope / 3.4486, 1, 0.02);
 }
 
+// Half a plane tank with a box at its draught, floor and side within cells. Measured 0.001 g at first, and
+// 0.05 mm in 0.2 s; with springs 0.24 g and 0.5 mm.
+TEST(AleCutCells, BoxStartsAtRestWhereverItsFloorStands)
+{
+    const Threads one(1);
+    constexpr double cell = 0.0125, half = 0.0775, draught = 0.075, low = 0.185, level = 0.26, height = 0.225;
+    int first = 100000;
+    const Vec3 corner{0, 0, low}, along{0, cell, 0}, floor{half, 0, 0}, up{0, 0, height};
+    EulerianRun run(testing::structured_mesh({0, 0, 0}, {16 * cell, cell, 32 * cell}, {16, 1, 32}) +
+                    testing::liquid_and_void(1000, 20) + testing::liquid_in_box({0, 0, 0}, {1, 1, level}) +
+                    fmt::format("5,0,2\n0,0,{},{},1,1\n", low, half) +
+                    rigid_part(1000 * draught * half / (half + height) / 0.01, 4, 7, by_cut_cells) +
+                    testing::shell_patch(20, first, corner, along, floor, 1, 12) +
+                    testing::shell_patch(20, first, corner + floor, along, up, 1, 36) +
+                    fmt::format("*DEFINE_VECTOR\n5,0,0,0,0,0,-1\n*NODE\n90000,0,0,{}\n"
+                                "*INITIAL_HYDROSTATIC_ALE\n10,1,5,9.81\n90000,1\n",
+                                level) +
+                    testing::gravity(9.81) + testing::closed(0.2));
+    const auto& ids = run.model().nodes.id;
+    const std::size_t node = std::find(ids.begin(), ids.end(), 100000) - ids.begin();
+    double furthest = 0;
+    run.run([&](const Clock&, const State& state) {
+        furthest = std::max(furthest, std::abs(state.position[node].z - low));
+    });
+    EXPECT_LT(furthest, 1e-4);
+}
+
 // Where the surface spans the mesh across another axis than z, and nothing softens the start of the shock.
 TEST(AleCutCells, PistonFeelsThePressureBehindTheShock)
 {
