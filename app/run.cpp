@@ -6,6 +6,7 @@
 #include "core/run_error.h"
 #include "output/recorders.h"
 #include "output/summary.h"
+#include "parser/nodal_displacements.h"
 #include "parser/read_model.h"
 #include "solver/explicit_loop.h"
 #include "solver/fluids/translate.h"
@@ -36,6 +37,7 @@ struct RunArguments {
     std::string restart;         ///< restart file, or directory with some
     double restart_minutes = 15; ///< between restart files that the deck does not ask for
     std::string fluid;           ///< form of the water; empty: as the deck says
+    std::string geometry;        ///< file of a prescribed geometry; empty: none
     bool allow_unsupported = false;
     bool picture = false;
     bool vtk = false;
@@ -201,6 +203,7 @@ int run_deck(const RunArguments& arguments)
     }
     ReadResult read = read_model(arguments.deck, options);
     if (!judge(read, arguments.allow_unsupported, log)) return 1;
+    std::vector<NodeDisplacement> geometry = read_prescribed_geometry(arguments.geometry, read.model);
     give_back_free_memory();
 
     const Model& model = read.model;
@@ -246,14 +249,22 @@ int run_deck(const RunArguments& arguments)
     recorders.push_back(std::make_unique<Progress>(end_time));
     std::signal(SIGINT, request_stop);
     if (!restart_from.empty()) log.say(fmt::format("  goes on from {}", restart_from));
-    const Outcome outcome = run(
-        *scene, recorders, {end_time, &stop_requested, {directory, arguments.restart_minutes}, restart_from});
+    const std::size_t moved_nodes = geometry.size();
+    const Outcome outcome = run(*scene, recorders,
+                                {end_time,
+                                 &stop_requested,
+                                 {directory, arguments.restart_minutes},
+                                 restart_from,
+                                 std::move(geometry)});
     if (const RelaxationOutcome& relaxation = outcome.relaxation; relaxation.statics) {
         log.say(
             fmt::format("static start {}: largest acceleration {:.2e} of {:.4g}, {:.2e} before; {} sums of "
                         "forces",
                         relaxation.converged ? "found" : "not found", relaxation.last_acceleration,
                         relaxation.reference, relaxation.first_acceleration, relaxation.cycles));
+    } else if (relaxation.geometry) {
+        log.say(fmt::format("{} nodes went to the prescribed geometry in {} cycles", moved_nodes,
+                            relaxation.cycles));
     } else if (relaxation.ran) {
         log.say(
             fmt::format("dynamic relaxation {} after {} cycles at t = {:.6e}: kinetic energy {:.3e} of its "
@@ -289,6 +300,8 @@ void add_run(CLI::App& program, int& exit_code)
         ->add_option("--fluid", arguments->fluid,
                      "Runs the deck's water as an Eulerian mesh (ale), particles (sph) or solids (lagrange)")
         ->check(CLI::IsMember({"ale", "sph", "lagrange"}));
+    command->add_option("--geometry", arguments->geometry,
+                        "Displacements of nodes with which the run begins (IDRFLG = 2; LS-DYNA's m=)");
     command->add_option("--until", arguments->until, "Stop at this time if the deck would run longer");
     command->add_option("--restart", arguments->restart,
                         "Go on from a restart file (d3dump01, runrsf), or from the last one in a directory");

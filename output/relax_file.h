@@ -6,7 +6,8 @@
 namespace plash {
 
 /// The file relax: how dynamic relaxation converges. One line for each look: cycle, time of the phase,
-/// kinetic energy of the distortion, its peak so far and their ratio.
+/// kinetic energy of the distortion, its peak so far and their ratio. Of a static start (IDRFLG = 5) one for
+/// each better place: sums of forces so far, largest acceleration over that of the frame.
 class RelaxRecorder final : public Recorder {
 public:
     RelaxRecorder(const Model&, const ResultPath& path);
@@ -17,6 +18,7 @@ public:
     void serialise(Archive& archive) override { archive(file_); }
 
 private:
+    bool statics_;
     ResultFile file_;
 };
 

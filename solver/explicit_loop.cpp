@@ -3,6 +3,7 @@
 #include "core/run_error.h"
 #include "solver/cycle.h"
 #include "solver/motion.h"
+#include "solver/prescribed_geometry.h"
 #include "solver/relaxation_phase.h"
 #include "solver/restart.h"
 #include "solver/sense_switches.h"
@@ -86,6 +87,16 @@ Requests between_cycles(RestartFiles& files, SenseSwitches& switches, const RunP
     return requests;
 }
 
+/// What the deck wants before the run, by IDRFLG.
+RelaxationOutcome begin_at_rest(Scene& scene, Recorders& recorders, const RunOptions& options,
+                                std::vector<double>& term_seconds)
+{
+    if (asks_for_statics(scene.model)) return find_equilibrium(scene, recorders, term_seconds);
+    if (scene.model.controls.relaxation.flag == 2)
+        return move_to_geometry(scene, options.geometry, recorders, term_seconds);
+    return relax(scene, recorders, options, term_seconds);
+}
+
 } // namespace
 
 Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
@@ -115,9 +126,7 @@ Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
     try {
         Requests requests;
         if (scene.model.controls.relaxation.active() && !restarted)
-            outcome.relaxation = asks_for_statics(scene.model)
-                                     ? find_equilibrium(scene, outcome.term_seconds)
-                                     : relax(scene, recorders, options, outcome.term_seconds);
+            outcome.relaxation = begin_at_rest(scene, recorders, options, outcome.term_seconds);
         while (true) {
             sum_forces(scene, clock, step_control, outcome.term_seconds);
             constrain_forces(scene, clock, outcome.term_seconds);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/recorder.h"
+#include "model/displacement.h"
 #include "solver/scene.h"
 
 #include <atomic>
@@ -25,6 +26,7 @@ struct RunOptions {
     const std::atomic<bool>* stop_requested = nullptr;         ///< set from outside (Ctrl-C) to end in order
     RestartOptions restart;
     std::string restart_from; ///< path of the restart file with which the run goes on; empty: from the start
+    std::vector<NodeDisplacement> geometry; ///< IDRFLG = 2: with which the run begins
 };
 
 /// What dynamic relaxation before the run came to.
@@ -36,6 +38,7 @@ struct RelaxationOutcome {
     double ratio = 0;         ///< kinetic energy of the distortion over its peak
     double lost_kinetic = 0;  ///< thrown away at its end [energy]
     double balance_error = 0; ///< of the phase, as EnergyLedger::balance_error
+    bool geometry = false;    ///< the nodes went to a prescribed geometry (IDRFLG = 2)
     bool statics = false;     ///< an equilibrium was solved for (IDRFLG = 5); then these count:
     double reference = 0;     ///< what accelerations are measured by [acceleration]
     double first_acceleration = 0, last_acceleration = 0; ///< the largest, over the reference [-]

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
+#include <functional>
 #include <kinsol/kinsol.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_spgmr.h>
@@ -180,14 +180,17 @@ double size_of(const Scene& scene, const std::vector<Freedom>& freedoms)
 /// The search: where it stands, and the best place seen so far.
 class Search {
 public:
-    Search(StaticTrials& trials, double size, double reference, std::vector<double> accelerations)
+    /// better  is called at each place that is better than those before, with the scene there
+    Search(StaticTrials& trials, double size, double reference, std::vector<double> accelerations,
+           std::function<void(double unrest)> better)
         : tangent_(trials),
           problem_{trials, tangent_, reference, 1e-8 * size, {}},
           size_(size),
           accelerations_(std::move(accelerations)),
           best_(trials.unknowns()),
           unrest_(problem_.unrest(accelerations_.data())),
-          least_shift_(reference / size)
+          least_shift_(reference / size),
+          better_(std::move(better))
     {}
 
     bool found() const { return unrest_ <= static_tolerance; }
@@ -218,6 +221,7 @@ private:
     std::vector<double> best_;
     double unrest_; ///< there
     double least_shift_;
+    std::function<void(double)> better_;
 
     /// False: the trial ended with an error.
     bool look(const std::vector<double>& place)
@@ -231,6 +235,7 @@ private:
         if (const double unrest = problem_.unrest(accelerations_.data()); unrest < unrest_) {
             unrest_ = unrest;
             best_ = place;
+            better_(unrest_);
         }
         return true;
     }
@@ -272,7 +277,8 @@ private:
 
 } // namespace
 
-RelaxationOutcome find_equilibrium(Scene& scene, std::vector<double>& term_seconds)
+RelaxationOutcome find_equilibrium(Scene& scene, std::vector<std::unique_ptr<Recorder>>& recorders,
+                                   std::vector<double>& term_seconds)
 {
     StaticTrials trials(scene, term_seconds);
     RelaxationOutcome outcome;
@@ -284,11 +290,23 @@ RelaxationOutcome find_equilibrium(Scene& scene, std::vector<double>& term_secon
     if (outcome.reference > 0) {
         const double size = size_of(scene, trials.freedoms());
         outcome.first_acceleration = largest / outcome.reference;
-        Search search(trials, size, outcome.reference, there);
+        const StepVote nobody;
+        const auto tell = [&](double unrest, bool last) {
+            RelaxationLook look;
+            look.ratio = unrest;
+            Clock clock = trials.clock();
+            clock.cycle = trials.count();
+            look.last = last;
+            const Snapshot snapshot{scene.model, clock, scene.state, scene.ledger, scene.terms, nobody, 0};
+            for (auto& recorder : recorders) recorder->write_relaxation(snapshot, look);
+        };
+        tell(outcome.first_acceleration, false);
+        Search search(trials, size, outcome.reference, there, [&](double unrest) { tell(unrest, false); });
         search.run();
         place = search.best();
         trials.accelerations(place.data(), there.data());
         outcome.last_acceleration = largest_of(trials, there.data(), 0, 3) / outcome.reference;
+        tell(outcome.last_acceleration, true);
         outcome.last_angular = largest_of(trials, there.data(), 3, 6) / outcome.reference;
     }
     outcome.converged = outcome.last_acceleration <= allowed_unrest;

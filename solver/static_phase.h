@@ -16,7 +16,10 @@ namespace plash {
 /// one step h from the state of the start, which is kept in a restart file meanwhile: a force m u / h^2 on
 /// every node, so that supports, rigid bodies and ties let nodes go only where they may; then everything is
 /// at rest, and forces are summed once more. Eulerian fluids stand still and press on what they are coupled
-/// with as their pressure is. term_seconds  by term of the scene; what each takes is added
-RelaxationOutcome find_equilibrium(Scene& scene, std::vector<double>& term_seconds);
+/// with as their pressure is.
+///
+/// term_seconds  by term of the scene; what each takes is added
+RelaxationOutcome find_equilibrium(Scene& scene, std::vector<std::unique_ptr<Recorder>>& recorders,
+                                   std::vector<double>& term_seconds);
 
 } // namespace plash

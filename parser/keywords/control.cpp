@@ -43,18 +43,18 @@ void read_timestep(const Record& record, const Block&, Reading& reading)
 
 /// IDRFLG = -999: no dynamic relaxation; 0: if a curve asks for it (SIDR); 1: from the start; -1: the same
 /// with histories; 3 and -3: as 1 and -1, with the kinetic energy of some parts; 5: solve for the
-/// equilibrium.
+/// equilibrium; 2: nodes go to places of a file.
 void read_relaxation(const Record& record, const Block&, Reading& reading)
 {
     RelaxationControls& relaxation = reading.model.controls.relaxation;
     relaxation.where = record.where;
     relaxation.flag = whole(record, "IDRFLG");
-    constexpr int known[] = {-999, -3, -1, 0, 1, 3, 5};
+    constexpr int known[] = {-999, -3, -1, 0, 1, 2, 3, 5};
     if (std::find(std::begin(known), std::end(known), relaxation.flag) == std::end(known)) {
         reading.error(
             record, "IDRFLG",
             fmt::format("{} is not supported; 1 and 3 (-1, -3) relax explicitly, 0 if a curve asks for "
-                        "it, 5 solves for the equilibrium, -999 never",
+                        "it, 2 goes to a prescribed geometry, 5 solves for the equilibrium, -999 never",
                         relaxation.flag));
     }
     relaxation.check_cycles = record.integer("NRCYCK") == 0 ? 250 : whole(record, "NRCYCK");
@@ -67,6 +67,15 @@ void read_relaxation(const Record& record, const Block&, Reading& reading)
         reading.error(record, "DRFCTR", fmt::format("{} is not between 0 and 1", relaxation.factor));
     if (record.integer("IRELAL") != 0)
         reading.error(record, "IRELAL", "automatic choice of the factor is not supported; leave it at 0");
+    if (relaxation.flag == 2) {
+        // All cycles of the phase, there is no look between.
+        relaxation.check_cycles = record.integer("NC") == 0 ? 100 : whole(record, "NC");
+        if (relaxation.check_cycles < 1) reading.error(record, "NC", "the number of cycles is negative");
+        if (record.integer("NP") != 0)
+            reading.error(
+                record, "NP",
+                "rotations of parts about vectors are not supported; nodes move straight with NP = 0");
+    }
     if (std::abs(relaxation.flag) != 3) return;
     const Index set = reading.find(record, "DRPSET", Kind::part_set);
     if (set != none) relaxation.parts = reading.model.part_sets[set].parts;

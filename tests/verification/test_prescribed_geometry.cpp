@@ -1,0 +1,83 @@
+#include "core/run_error.h"
+#include "parser/nodal_displacements.h"
+#include "tests/support/deck_run.h"
+#include "tests/support/each_cycle.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+
+/// *CONTROL_DYNAMIC_RELAXATION IDRFLG = 2: the run begins with the nodes where a file says.
+namespace plash::prescribed_geometries {
+
+namespace {
+
+/// A unit cube of E = 2e11, PR = 0, 8000 a volume.
+std::string cube(int flag)
+{
+    return "*KEYWORD\n*CONTROL_TERMINATION\n1,1\n*PART\ncube\n1,1,1\n*SECTION_SOLID\n1,1\n"
+           "*MAT_ELASTIC\n1,8000,2e11,0.0\n*CONTROL_DYNAMIC_RELAXATION\n0,0,0,0,0,0,0," +
+           std::to_string(flag) +
+           "\n*NODE\n11,0,0,0\n12,1,0,0\n13,1,1,0\n14,0,1,0\n15,0,0,1\n16,1,0,1\n17,1,1,1\n18,0,1,1\n"
+           "*ELEMENT_SOLID\n1,1,11,12,13,14,15,16,17,18\n*END\n";
+}
+
+std::string message_of(const std::string& file, int flag)
+{
+    testing::DeckRun run(cube(flag));
+    const testing::TemporaryFolder folder;
+    std::ofstream(folder / "geometry.txt") << file;
+    try {
+        read_prescribed_geometry(file.empty() ? "" : folder / "geometry.txt", run.read->model);
+    } catch (const RunError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+// Four nodes go out by e = 1e-3 along x. The stress is E ln(1 + e), up to e^3 / 12 / 100^2 of the midpoint
+// rule; each corner of the face bears a quarter and has an eighth of the mass.
+TEST(PrescribedGeometry, StretchedCubeHasItsStress)
+{
+    testing::DeckRun run(cube(2));
+    const testing::TemporaryFolder folder;
+    // Apart by blanks, by commas, in touching columns of 8 and 15, with rotations.
+    std::ofstream(folder / "geometry.txt") << "$ node, displacements\n12 1e-3 0 0\n13,1e-3,0,0\n"
+                                              "      16 1.00000000E-03 0.00000000E+00 0.00000000E+00\n"
+                                              "      17  1.0000000E-03-0.00000000E+00-0.00000000E+00"
+                                              "  0.0000000E+00  0.0000000E+00  0.0000000E+00\n";
+    RunOptions options;
+    options.geometry = read_prescribed_geometry(folder / "geometry.txt", run.read->model);
+    ASSERT_EQ(options.geometry.size(), 4u);
+    double force = 0, place = 0, others = 0;
+    Recorders recorders;
+    recorders.push_back(std::make_unique<EachCycle>([&](const Clock& clock, const State& state) {
+        if (clock.cycle != 0) return;
+        place = state.position[6].x;
+        force = state.mass[6] * state.velocity[6].x / clock.velocity_step();
+        others = std::max(std::abs(state.velocity[6].y), std::abs(state.velocity[6].z));
+    }));
+    run.outcome = plash::run(*run.scene, recorders, options);
+    EXPECT_EQ(run.outcome.termination, Outcome::Termination::normal) << run.outcome.message;
+    EXPECT_TRUE(run.outcome.relaxation.geometry);
+    EXPECT_EQ(run.outcome.relaxation.cycles, 100);
+    EXPECT_EQ(place, 1.001);
+    const double expected = -2e11 * std::log(1.001) / 4;
+    EXPECT_NEAR(force, expected, 1e-9 * std::abs(expected));
+    EXPECT_LT(others, 1e-12);
+}
+
+TEST(PrescribedGeometry, WrongFilesSayWhere)
+{
+    EXPECT_NE(message_of("12,1,2\n", 2).find(":1: a node, three displacements"), std::string::npos);
+    EXPECT_NE(message_of("$\n99,0,0,0\n", 2).find(":2: there is no node 99"), std::string::npos);
+    EXPECT_NE(message_of("12,0,0,0\n12,0,0,0\n", 2).find(":2: node 12 stands here once more"),
+              std::string::npos);
+    EXPECT_NE(message_of("", 2).find("field IDRFLG: 2 needs the file"), std::string::npos);
+    EXPECT_NE(message_of("12,0,0,0\n", 1).find("asks for no prescribed geometry"), std::string::npos);
+}
+
+} // namespace plash::prescribed_geometries
