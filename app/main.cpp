@@ -21,6 +21,8 @@ std::vector<std::string> from_ls_dyna_habits(const std::vector<std::string>& wor
             translated.insert(translated.end(), {"-j", value.substr(value.starts_with('-') ? 1 : 0)});
         } else if (name == "r" || name == "R") {
             translated.insert(translated.end(), {"--restart", value});
+        } else if (name == "m" || name == "M") {
+            translated.insert(translated.end(), {"--geometry", value});
         } else if (name != "memory" && name != "memory2" && name != "g" && name != "f") {
             return words;
         }

@@ -180,7 +180,8 @@ TEST_P(SphCorrections, LaminarForcesActAlongDifferencesOfVelocity)
     const auto sums_in = [&, dimension = dimension]<class Lane>(Lane) {
         return block.sums<Lane, ForceSums>([&](const NeighbourRun& run, ForceSums* sums) {
             return LaminarForce<Lane, TestKernel>(block.arrays().motion.data(), block.arrays().laminar.data(),
-                                                  run.begin, dimension, sums);
+                                                  nullptr, block.arrays().real_count(), run.begin, dimension,
+                                                  sums);
         });
     };
     const auto plain = sums_in(double{}), lanes = sums_in(Lanes{});

@@ -215,7 +215,7 @@ TEST(DynamicRelaxation, WritesItsFiles)
 TEST(DynamicRelaxation, WhatIsNotThereIsNamed)
 {
     for (const char* card :
-         {"100,1e-7,0.97,0,0,0,0,2", "100,1e-7,0.97,0,0,1,0,1", "100,1e-7,1.5,0,0,0,0,1"}) {
+         {"100,1e-7,0.97,0,0,0,0,6", "100,1e-7,0.97,0,0,1,0,1", "100,1e-7,1.5,0,0,0,0,1"}) {
         const testing::TemporaryFolder folder;
         std::ofstream(folder / "deck.k")
             << hanging_bar(std::string("*CONTROL_DYNAMIC_RELAXATION\n") + card + "\n", 12, 0);
