@@ -418,7 +418,7 @@ private:
 /// body must have enough of them to feed many threads.
 void cut_runs(Index particles, std::vector<NeighbourRun>& runs)
 {
-    const Index length = std::clamp<Index>(particles / 32, 256, longest_run);
+    const Index length = std::clamp<Index>(particles / 16, 256, longest_run);
     runs.resize((particles + length - 1) / length);
     for (std::size_t i = 0; i < runs.size(); ++i) {
         runs[i].begin = static_cast<Index>(i) * length;
