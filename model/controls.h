@@ -52,9 +52,10 @@ struct ElementControls {
 
 /// *CONTROL_DYNAMIC_RELAXATION: whether and how the run begins with a search for equilibrium.
 struct RelaxationControls {
-    int flag = 0;            ///< IDRFLG; 0: only if a curve asks for it (SIDR)
-    bool curves_ask = false; ///< some curve has SIDR = 1 or 2
-    int check_cycles = 250;  ///< NRCYCK: cycles between two looks at the kinetic energy
+    int flag = 0;              ///< IDRFLG; 0: only if a curve asks for it (SIDR)
+    bool curves_ask = false;   ///< some curve has SIDR = 1 or 2
+    int check_cycles = 250;    ///< NRCYCK: cycles between two looks at the kinetic energy
+    int geometry_cycles = 100; ///< NC: with IDRFLG = 2, in which nodes go to the prescribed geometry
     double tolerance = 0.001;
     double factor = 0.995;    ///< DRFCTR: on velocities in each cycle
     double end_time = 0;      ///< DRTERM [time]; 0: none

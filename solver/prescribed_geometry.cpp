@@ -43,12 +43,12 @@ RelaxationOutcome move_to_geometry(Scene& scene, const std::vector<NodeDisplacem
     State& state = scene.state;
     Clock clock;
     clock.relaxing = true;
-    for (long cycle = 0; cycle < control.check_cycles; ++cycle) {
+    for (long cycle = 0; cycle < control.geometry_cycles; ++cycle) {
         sum_forces(scene, clock, step_control, term_seconds);
         constrain_forces(scene, clock, term_seconds);
         std::fill(state.velocity.begin(), state.velocity.end(), Vec3{});
         std::fill(state.angular_velocity.begin(), state.angular_velocity.end(), Vec3{});
-        const double rate = 1 / (static_cast<double>(control.check_cycles) * clock.step);
+        const double rate = 1 / (static_cast<double>(control.geometry_cycles) * clock.step);
         for (const NodeDisplacement& node : geometry) {
             state.velocity[node.node] = rate * node.translation;
             if (state.rotational()) state.angular_velocity[node.node] = rate * node.rotation;

@@ -118,29 +118,31 @@ void CutCoupling::push_fluid(std::ptrdiff_t node, const Vec3& force)
     outside[entry].force[2] += force.z;
 }
 
-void CutCoupling::find_swept(const State& state)
+/// use(group, piece) for all pieces of the surface in fluid.
+template <class Use>
+void CutCoupling::for_wet_pieces(Use&& use) const
 {
     const BoxCuts& cuts = cuts_[now_];
     const BoxGrid& grid = fluid_.box().grid;
     for (const BoxCuts::Cell& cell : cuts.cells()) {
         const Index group = cells_.group_of(grid.at(cell.index[0], cell.index[1], cell.index[2]));
         if (group == none) continue;
-        for (const BoxCuts::Piece& piece : cuts.pieces(cell))
-            cells_.groups()[group].swept += dot(piece.area, velocity_of(piece, state));
+        for (const BoxCuts::Piece& piece : cuts.pieces(cell)) use(group, piece);
     }
+}
+
+void CutCoupling::find_swept(const State& state)
+{
+    for_wet_pieces([&](Index group, const BoxCuts::Piece& piece) {
+        cells_.groups()[group].swept += dot(piece.area, velocity_of(piece, state));
+    });
 }
 
 void CutCoupling::press_structure(const Vec3& gravity)
 {
-    const BoxCuts& cuts = cuts_[now_];
-    const BoxGrid& grid = fluid_.box().grid;
-    for (const BoxCuts::Cell& cell : cuts.cells()) {
-        const Index group = cells_.group_of(grid.at(cell.index[0], cell.index[1], cell.index[2]));
-        if (group == none) continue;
-        for (const BoxCuts::Piece& piece : cuts.pieces(cell))
-            press(piece.triangle, weights(piece),
-                  -cells_.pressure_at(group, piece.middle, gravity) * piece.area);
-    }
+    for_wet_pieces([&](Index group, const BoxCuts::Piece& piece) {
+        press(piece.triangle, weights(piece), -cells_.pressure_at(group, piece.middle, gravity) * piece.area);
+    });
 }
 
 /// The mass of a node behind the surface goes along with the nearest piece of it, across it.

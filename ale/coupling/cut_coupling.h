@@ -49,6 +49,8 @@ private:
     Vec3 velocity_of(const BoxCuts::Piece& piece, const State& state) const;
     void press(std::size_t triangle, const std::array<double, 3>& weight, const Vec3& force);
     void push_fluid(std::ptrdiff_t node, const Vec3& force);
+    template <class Use>
+    void for_wet_pieces(Use&& use) const;
     void find_swept(const State& state);
     void press_structure(const Vec3& gravity);
     void hold_covered_nodes(const Clock& clock, const State& state);

@@ -68,9 +68,8 @@ void read_relaxation(const Record& record, const Block&, Reading& reading)
     if (record.integer("IRELAL") != 0)
         reading.error(record, "IRELAL", "automatic choice of the factor is not supported; leave it at 0");
     if (relaxation.flag == 2) {
-        // All cycles of the phase, there is no look between.
-        relaxation.check_cycles = record.integer("NC") == 0 ? 100 : whole(record, "NC");
-        if (relaxation.check_cycles < 1) reading.error(record, "NC", "the number of cycles is negative");
+        if (record.integer("NC") != 0) relaxation.geometry_cycles = whole(record, "NC");
+        if (relaxation.geometry_cycles < 1) reading.error(record, "NC", "the number of cycles is negative");
         if (record.integer("NP") != 0)
             reading.error(
                 record, "NP",
