@@ -21,17 +21,6 @@ constexpr std::pair<std::string_view, BeamGroupMaker*> beam_makers[] = {
     {"MAT_SPOTWELD", make_spot_weld_beams},
 };
 
-/// Mass of beams that have nothing else (*MAT_NULL).
-void add_null_masses(const BeamPart& part, const BeamSection& section, double density, State& state)
-{
-    for (Index element : part.elements) {
-        const auto& nodes = part.model.beams.nodes[element];
-        const double length = norm(part.model.nodes.position[nodes[1]] - part.model.nodes.position[nodes[0]]);
-        const BeamMass share = beam_mass(section, density, length, 0, 1);
-        for (int end = 0; end < 2; ++end) state.mass[nodes[end]] += share.mass;
-    }
-}
-
 bool is_discrete(const Model& model, const Part& part)
 {
     return part.section != none && model.sections[part.section].keyword == "SECTION_BEAM" &&
@@ -50,12 +39,9 @@ void add_group(const BeamPart& beams, State& state, std::vector<std::unique_ptr<
         groups.push_back(std::make_unique<DiscreteBeams>(beams, state));
         return;
     }
+    if (material.keyword == "MAT_NULL") return add_beam_masses(beams, state);
     BeamSettings settings;
     settings.section = beam_section(beams.model, part);
-    if (material.keyword == "MAT_NULL") {
-        add_null_masses(beams, settings.section, positive(material, "RO", "mass density"), state);
-        return;
-    }
     for (const auto& [keyword, maker] : beam_makers) {
         if (material.keyword != keyword) continue;
         if (settings.section.formulation != 3) state.need_rotation();
@@ -66,7 +52,35 @@ void add_group(const BeamPart& beams, State& state, std::vector<std::unique_ptr<
                     fmt::format("*{} is not supported for beams (part {})", material.keyword, part.id));
 }
 
+double volume_of_discrete(const Record& section)
+{
+    const double volume = section.real("VOL");
+    if (volume < 0) reject_field(section, "VOL", "the volume is negative");
+    return volume;
+}
+
 } // namespace
+
+void add_beam_masses(const BeamPart& beams, State& state)
+{
+    const Model& model = beams.model;
+    const Part& part = model.parts[beams.part];
+    const double density = positive(model.materials[part.material], "RO", "mass density");
+    const auto add = [&](Index element, double mass_of_end) {
+        for (int end = 0; end < 2; ++end) state.mass[model.beams.nodes[element][end]] += mass_of_end;
+    };
+    if (is_discrete(model, part)) {
+        const double volume = volume_of_discrete(model.sections[part.section]);
+        for (Index element : beams.elements) add(element, 0.5 * density * volume);
+        return;
+    }
+    const BeamSection section = beam_section(model, part);
+    for (Index element : beams.elements) {
+        const auto& nodes = model.beams.nodes[element];
+        const double length = norm(model.nodes.position[nodes[1]] - model.nodes.position[nodes[0]]);
+        add(element, beam_mass(section, density, length, 0, 1).mass);
+    }
+}
 
 std::vector<std::unique_ptr<Term>> make_beam_groups(const Model& model, State& state)
 {

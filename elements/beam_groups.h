@@ -14,6 +14,10 @@ namespace plash {
 /// an element has no length or no direction.
 std::vector<std::unique_ptr<Term>> make_beam_groups(const Model&, State&);
 
+/// Adds the masses alone of the beams of a part: of *MAT_NULL, or of a rigid part. Half of each to either
+/// end; discrete beams (ELFORM 6) have that of their VOL. DeckError as above.
+void add_beam_masses(const BeamPart&, State&);
+
 /// Makes the group of a part with one law; one .cpp file a law.
 using BeamGroupMaker = std::unique_ptr<Term>(const BeamPart&, BeamSettings, State&);
 BeamGroupMaker make_elastic_beams;

@@ -1,11 +1,13 @@
 #include "solver/rigid_parts.h"
 
+#include "elements/beam_groups.h"
 #include "elements/shell_mass.h"
 #include "elements/solid_groups.h"
 #include "solver/rigid_fixity.h"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 
 namespace plash {
 
@@ -268,28 +270,26 @@ private:
     }
 };
 
-/// Rigid parts have masses from shells and solids; other elements need a card that says the mass.
-void check_elements(const Model& model)
+/// Where the mass of a rigid part has to come from.
+void check_mass_source(const Part& part)
 {
-    const auto check = [&](const auto& elements, std::string_view kind) {
-        for (std::size_t i = 0; i < elements.size(); ++i) {
-            const Index part = elements.part[i];
-            if (part == none || !model.is_rigid(part) || model.part_inertias.contains(part)) continue;
-            throw DeckError(
-                model.parts[part].where,
-                fmt::format("rigid part {} has {} (first: {}), whose masses Plash does not know in "
-                            "rigid parts; give the part *PART_INERTIA",
-                            model.parts[part].id, kind, elements.id[i]));
-        }
-    };
-    check(model.beams, "beams");
-    for (std::size_t i = 0; i < model.shells.size(); ++i) {
-        const Part& part = model.parts[model.shells.part[i]];
-        if (!model.is_rigid(model.shells.part[i]) || (part.material != none && part.section != none))
-            continue;
-        throw DeckError(
-            part.where,
-            fmt::format("rigid part {} needs one section and one material for its mass", part.id));
+    if (part.material != none && part.section != none) return;
+    throw DeckError(part.where,
+                    fmt::format("rigid part {} needs one section and one material for its mass", part.id));
+}
+
+/// Beams of parts whose mass properties a card gives add nothing.
+void add_masses_of_rigid_beams(const Model& model, State& state)
+{
+    std::map<Index, std::vector<Index>> elements;
+    for (std::size_t element = 0; element < model.beams.size(); ++element) {
+        const Index part = model.beams.part[element];
+        if (!model.is_rigid(part) || model.part_inertias.contains(part)) continue;
+        elements[part].push_back(static_cast<Index>(element));
+    }
+    for (auto& [part, of_part] : elements) {
+        check_mass_source(model.parts[part]);
+        add_beam_masses({model, part, std::move(of_part)}, state);
     }
 }
 
@@ -297,7 +297,7 @@ void check_elements(const Model& model)
 
 void add_rigid_masses(const Model& model, State& state)
 {
-    check_elements(model);
+    add_masses_of_rigid_beams(model, state);
     std::vector<bool> has_solids(model.parts.size());
     for (Index part : model.solids.part) has_solids[part] = true;
     for (Index part : model.thick_shells.part) has_solids[part] = true;
@@ -307,7 +307,9 @@ void add_rigid_masses(const Model& model, State& state)
         for (std::size_t i = 0; i < solids.nodes.size(); ++i) state.mass[solids.nodes[i]] += solids.mass[i];
     }
     for (std::size_t element = 0; element < model.shells.size(); ++element) {
-        if (!model.is_rigid(model.shells.part[element])) continue;
+        const Index part = model.shells.part[element];
+        if (!model.is_rigid(part)) continue;
+        check_mass_source(model.parts[part]);
         const Index index = static_cast<Index>(element);
         const ShellMass shell = shell_mass(model, index);
         const auto corners = shell_corners(model, index);

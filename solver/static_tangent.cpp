@@ -171,7 +171,7 @@ void StaticTangent::factorise(double least_shift)
     shift_ = least_shift;
     while (true) {
         factors.solver.factorize(factors.stiffness + shift_ * factors.mass);
-        if (factors.solver.info() == Eigen::Success && factors.solver.vectorD().minCoeff() > 0) return;
+        if (factors.solver.info() == Eigen::Success && (factors.solver.vectorD().array() > 0).all()) return;
         if (shift_ > largest_) break;
         shift_ *= ratio;
     }

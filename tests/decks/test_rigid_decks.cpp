@@ -255,6 +255,23 @@ TEST(RigidDecks, RigidPartsHaveNoElementTerms)
     EXPECT_EQ(run.scene->terms[0]->items(), 2u);
 }
 
+/// Two beams of 3 and 4 units at a right angle, area 0.5, density 8, and a discrete one with a volume of
+/// 0.25: 12, 16 and 2 units of mass, half of each at its ends.
+TEST(RigidDecks, PartsOfBeamsHaveTheirMasses)
+{
+    DeckRun run(with_card(cubes, "0,0,0") +
+                "*PART\nframe\n3,3,2\n*SECTION_BEAM\n3,2\n0.5,0.1,0.1,0.2\n*PART\nconnector\n4,4,2\n"
+                "*SECTION_BEAM\n4,6\n0.25,0.01\n*CONSTRAINED_RIGID_BODIES\n3,4\n"
+                "*NODE\n21,0.0,0.0,9.0\n22,3.0,0.0,9.0\n23,3.0,4.0,9.0\n24,0.0,4.0,9.0\n"
+                "*ELEMENT_BEAM\n1,3,21,22,24\n2,3,22,23,24\n3,4,23,24,21\n*END\n");
+    ASSERT_EQ(run.error, "");
+    ASSERT_EQ(run.bodies().size(), 3u);
+    const RigidBody& frame = run.bodies()[2];
+    EXPECT_NEAR(frame.mass, 30, 1e-12);
+    EXPECT_NEAR(frame.first_center.x, (14 * 3 + 9 * 3) / 30.0, 1e-12);
+    EXPECT_NEAR(frame.first_center.y, (9 * 4 + 1 * 4) / 30.0, 1e-12);
+}
+
 /// *DEFORMABLE_TO_RIGID: an elastic part that is rigid from the start, without element term; merged to a
 /// lead.
 TEST(RigidDecks, DeformableToRigid)
