@@ -111,7 +111,6 @@ struct Model {
     std::vector<RigidBodyLoad> rigid_body_loads;
     std::vector<Joint> joints;
     std::vector<JointStiffness> joint_stiffnesses;
-    std::vector<RigidSwitch> rigid_switches;
     std::vector<BeamPreload> beam_preloads;
     std::vector<RigidWall> rigid_walls;
     std::vector<Contact> contacts;

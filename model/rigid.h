@@ -57,6 +57,15 @@ struct RigidBodyLoad {
     Location where;
 };
 
+/// _FAILURE of a joint: it lets go at `end`, or once (force / strength)^2 + (moment / strength)^2, summed
+/// over the components along `axes` that have a strength, reaches 1.
+struct JointFailure {
+    double end = forever; ///< TFAIL [time]
+    bool coupled = true;  ///< COUPL <= 0; else the sums of forces and of moments count each by itself
+    std::array<double, 3> force{}, moment{}; ///< NXX, NYY, NZZ; MXX, MYY, MZZ; 0: not looked at
+    Index system = none;                     ///< CID: the axes; none: the global ones
+};
+
 /// *CONSTRAINED_JOINT_<type>: nodes 1, 3, 5 belong to the first body, 2, 4, 6 to the second.
 struct Joint {
     enum class Type {
@@ -85,6 +94,7 @@ struct Joint {
     double parameter = 0;                                             ///< PARM: ratio or pitch per radian
     Index curve = none;                                               ///< of a motor
     PrescribedMotion::Kind motion = PrescribedMotion::Kind::velocity; ///< TYPE of a motor
+    std::optional<JointFailure> failure;
     Location where;
 };
 
@@ -108,13 +118,6 @@ struct JointStiffness {
     Vec3 first_origin{}, second_origin{};
     Index joint = none; ///< JID, for reports
     std::array<Freedom, 3> freedoms{};
-    Location where;
-};
-
-/// *DEFORMABLE_TO_RIGID_AUTOMATIC: parts that become rigid or deformable while the run goes.
-struct RigidSwitch {
-    double time = 0; ///< [time]
-    std::vector<Index> to_rigid, to_deformable;
     Location where;
 };
 

@@ -1,5 +1,7 @@
 #include "rigid/joints.h"
 
+#include "core/local_axes.h"
+
 #include <fmt/format.h>
 
 namespace plash {
@@ -152,6 +154,25 @@ JointRows add_joint(const Model& model, Index number, const std::vector<RigidBod
     }
     result.count = rows.size() - result.begin;
     return result;
+}
+
+bool joint_fails(const JointFailure& failure, const Vec3& force, const Vec3& moment, const Model& model,
+                 const State& state, double time)
+{
+    if (time >= failure.end) return true;
+    const auto axes = failure.system == none ? CoordinateSystem{}.axes
+                                             : axes_at(model.coordinate_systems[failure.system], state);
+    const auto use = [&](const Vec3& load, const std::array<double, 3>& strength) {
+        double sum = 0;
+        for (int i = 0; i < 3; ++i) {
+            if (strength[i] == 0) continue;
+            const double share = dot(load, axes[i]) / strength[i];
+            sum += share * share;
+        }
+        return sum;
+    };
+    const double of_force = use(force, failure.force), of_moment = use(moment, failure.moment);
+    return failure.coupled ? of_force + of_moment >= 1 : of_force >= 1 || of_moment >= 1;
 }
 
 } // namespace plash

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/state.h"
 #include "model/model.h"
 #include "rigid/body_rows.h"
 
@@ -10,6 +11,7 @@ struct JointRows {
     Index joint = none; ///< into Model::joints
     std::size_t begin = 0, count = 0;
     Vec3 arm2{}; ///< of node 2 (or 1) from the center of the second body, in its axes
+    bool failed = false;
 };
 
 /// Adds the conditions of a joint between two bodies to `rows`. Types and nodes as LS-DYNA draws them:
@@ -32,5 +34,10 @@ struct JointRows {
 /// are missing, an axis has no length, or the type is none of these.
 JointRows add_joint(const Model& model, Index joint, const std::vector<RigidBody>& bodies, Index first,
                     Index second, std::vector<BodyRow>& rows);
+
+/// True when a joint lets go at n: its time is over, or the force and the moment about node 2 that it puts on
+/// its second body, global axes, reach its strengths.
+bool joint_fails(const JointFailure&, const Vec3& force, const Vec3& moment, const Model&, const State&,
+                 double time);
 
 } // namespace plash

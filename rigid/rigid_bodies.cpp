@@ -68,6 +68,7 @@ void RigidBodies::constrain(const Clock& clock, State& state)
         set_targets(clock, state);
         rows_.satisfy(bodies_, clock);
         book_rows(clock);
+        look_for_failed_joints(clock, state);
     }
     kinetic_ = 0;
     for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -285,6 +286,19 @@ void RigidBodies::book_rows(const Clock& clock)
     }
 }
 
+/// A joint that reaches its strength still acts in that step.
+void RigidBodies::look_for_failed_joints(const Clock& clock, const State& state)
+{
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+        JointRows& joint = joints_[j];
+        const auto& failure = model_.joints[joint.joint].failure;
+        if (!failure || joint.failed) continue;
+        joint.failed = joint_fails(*failure, joint_force_[j], joint_moment_[j], model_, state, clock.time);
+        if (!joint.failed) continue;
+        for (std::size_t i = joint.begin; i < joint.begin + joint.count; ++i) rows_.rows[i].dead = true;
+    }
+}
+
 void RigidBodies::move(const Clock& clock, State& state, RigidBody& body, const Motion& before)
 {
     const double velocity_step = clock.velocity_step();
@@ -357,6 +371,7 @@ void RigidBodies::serialise(Archive& archive)
     for (Support& support : supports_) archive(support.force);
     for (Load& load : loads_) archive(load.last_magnitude, load.work, load.last_direction);
     for (JointSpring& spring : springs_) archive(spring);
+    for (JointRows& joint : joints_) archive(joint.failed);
     archive(welds_, joint_force_, joint_moment_, before_, kinetic_, body_load_work_);
 }
 

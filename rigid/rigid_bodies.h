@@ -105,6 +105,7 @@ private:
     void set_targets(const Clock& clock, const State& state);
     void set_relative_target(const Clock& clock, const State& state, Drive& drive);
     void book_rows(const Clock& clock);
+    void look_for_failed_joints(const Clock& clock, const State& state);
     void move(const Clock& clock, State& state, RigidBody& body, const Motion& before);
 };
 

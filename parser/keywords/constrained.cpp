@@ -123,6 +123,27 @@ constexpr std::pair<std::string_view, Joint::Type> joint_types[] = {
     {"ROTATIONAL_MOTOR", Joint::Type::rotational_motor},
 };
 
+std::optional<JointFailure> read_joint_failure(const Record& record, Reading& reading)
+{
+    if (!record.peek("TFAIL")) return {};
+    JointFailure failure;
+    if (const double end = record.real("TFAIL"); end > 0) failure.end = end;
+    failure.coupled = record.real("COUPL") <= 0;
+    const char* const forces[] = {"NXX", "NYY", "NZZ"};
+    const char* const moments[] = {"MXX", "MYY", "MZZ"};
+    const auto strength = [&](const char* field) {
+        const double value = record.real(field);
+        if (value < 0) reading.error(record, field, "the strength is negative");
+        return value;
+    };
+    for (int i = 0; i < 3; ++i) {
+        failure.force[i] = strength(forces[i]);
+        failure.moment[i] = strength(moments[i]);
+    }
+    failure.system = reading.find(record, "CID", Kind::coordinate);
+    return failure;
+}
+
 void read_joint(const Record& record, const Block& block, Reading& reading)
 {
     constexpr std::string_view prefix = "CONSTRAINED_JOINT_", coordinates = "COOR_";
@@ -166,6 +187,7 @@ void read_joint(const Record& record, const Block& block, Reading& reading)
     } else if (record.peek("PARM") && joint.parameter == 0) {
         reading.error(record, "PARM", "this joint needs a ratio");
     }
+    joint.failure = read_joint_failure(record, reading);
     reading.model.joints.push_back(std::move(joint));
 }
 

@@ -245,6 +245,56 @@ TEST(RigidDecks, JointFromDeckHoldsTwoCubesTogether)
     EXPECT_LT(run.scene->ledger.balance_error(), 1e-6);
 }
 
+/// Two cubes that a locking joint holds together, the second pulled along x by 4 t and lifted by t: move as
+/// one body of both.
+TEST(RigidDecks, LockingJointMakesOneBodyOfTwo)
+{
+    const std::string loads =
+        "*DEFINE_CURVE\n2\n0.0,0.0\n10.0,10.0\n*LOAD_RIGID_BODY\n2,1,2,4.0\n2,3,2,1.0\n";
+    const std::string joint =
+        "*NODE\n41,2.0,0.5,0.5\n42,2.0,0.5,0.5\n*CONSTRAINED_EXTRA_NODES_NODE\n1,41\n2,42\n"
+        "*CONSTRAINED_JOINT_LOCKING\n41,42,41,42,41,42\n";
+    DeckRun locked(with_card(cubes, "0,0,0") + loads + joint + "*END\n");
+    DeckRun merged(with_card(cubes, "0,0,0") + loads + "*CONSTRAINED_RIGID_BODIES\n1,2\n*END\n");
+    ASSERT_EQ(locked.error, "");
+    ASSERT_EQ(merged.error, "");
+    const Index count = merged.read.model.nodes.size();
+    for (Index node = 0; node < count; ++node) {
+        EXPECT_LT(norm(locked.scene->state.position[node] - merged.scene->state.position[node]), 1e-6)
+            << node;
+    }
+    EXPECT_GT(merged.bodies()[0].angular_velocity.y, -1);
+    EXPECT_GT(norm(merged.bodies()[0].angular_velocity), 1e-3);
+    EXPECT_LT(locked.scene->ledger.balance_error(), 1e-6);
+}
+
+/// Two cubes of 8 on a spherical joint, the second pulled along the line of their centers by 4 t: the joint
+/// carries 2 t.
+TEST(RigidDecks, JointsFailAtTheirStrength)
+{
+    const auto speeds = [](const std::string& failure) {
+        DeckRun run(with_card(cubes, "0,0,0") +
+                    "*DEFINE_CURVE\n2\n0.0,0.0\n10.0,40.0\n*LOAD_RIGID_BODY\n2,1,2,1.0\n"
+                    "*NODE\n41,2.0,0.5,0.5\n42,2.0,0.5,0.5\n*CONSTRAINED_EXTRA_NODES_NODE\n1,41\n2,42\n"
+                    "*CONSTRAINED_JOINT_SPHERICAL_FAILURE\n41,42\n" +
+                    failure + "*END\n");
+        EXPECT_EQ(run.error, "");
+        EXPECT_LT(run.scene->ledger.balance_error(), 1e-6);
+        return std::array{run.bodies()[0].velocity.x, run.bodies()[1].velocity.x};
+    };
+    // Together until it fails at t: momentum 2 t^2 on mass 16; then the second alone.
+    const auto expect_failure_at = [&](const std::string& failure, double t) {
+        const auto [first, second] = speeds(failure);
+        EXPECT_NEAR(first, 2 * t * t / 16, 1e-3) << failure;
+        EXPECT_NEAR(second, 2 * t * t / 16 + 2 * (1 - t * t) / 8, 2e-3) << failure;
+    };
+    expect_failure_at("0,0.0,0.0\n1.2,0.0,0.0\n", 0.6);
+    expect_failure_at("0,0.0,1.0\n1.2,0.0,0.0\n", 0.6);
+    expect_failure_at("0,0.4,0.0\n1.2,0.0,0.0\n", 0.4);
+    expect_failure_at("0,0.0,0.0\n0.0,0.1,0.1,0.1,0.1,0.1\n", 1);
+    expect_failure_at("5,0.0,0.0\n0.9,1.2,0.0\n", std::sqrt(0.5) * 0.75); // 0.6, 0.8 of it over 0.9, 1.2
+}
+
 /// Rigid elements cost nothing: their parts make no element term at all.
 TEST(RigidDecks, RigidPartsHaveNoElementTerms)
 {
@@ -301,6 +351,47 @@ TEST(RigidDecks, SpotweldFailsAtItsStrength)
     EXPECT_NEAR(state.velocity[first].x, 2 * 0.5625 / 3, 4e-3);
     EXPECT_NEAR(state.velocity[second].x, 2 * 0.5625 / 3 + 2 * (1 - 0.5625), 8e-3);
     EXPECT_LT(run.scene->ledger.balance_error(), 1e-6);
+}
+
+/// The same for a weld of three masses of 2, 1 and 1: it carries 3 t of the load 4 t on the last one, and
+/// breaks at t = 0.75.
+TEST(RigidDecks, GeneralizedWeldFailsAtItsStrength)
+{
+    DeckRun run(with_card(cubes, "0,0,0") +
+                "*NODE\n51,0.0,9.0,0.0\n52,1.0,9.0,0.0\n53,2.0,9.0,0.0\n"
+                "*ELEMENT_MASS\n1,51,2.0\n2,52,1.0\n3,53,1.0\n*SET_NODE_LIST\n5\n51,52,53\n"
+                "*DEFINE_CURVE\n2\n0.0,0.0\n10.0,40.0\n*LOAD_NODE_POINT\n53,1,2,1.0\n"
+                "*CONSTRAINED_GENERALIZED_WELD_SPOT\n5\n0.0,0.0,2.25,0.0,1.0,1.0\n*END\n");
+    ASSERT_EQ(run.error, "");
+    const Index first = run.read.model.nodes.size() - 3;
+    const double together = 2 * 0.5625 / 4;
+    const State& state = run.scene->state;
+    EXPECT_NEAR(state.velocity[first].x, together, 4e-3);
+    EXPECT_NEAR(state.velocity[first + 1].x, together, 4e-3);
+    EXPECT_NEAR(state.velocity[first + 2].x, together + 2 * (1 - 0.5625), 8e-3);
+    EXPECT_LT(run.scene->ledger.balance_error(), 1e-6);
+}
+
+/// _INERTIA and _SPC together, in either order: mass, center and inertia of the card, held along x and about
+/// z.
+TEST(RigidDecks, NodalBodiesWithInertiaAndSupports)
+{
+    for (const char* suffix : {"_INERTIA_SPC", "_SPC_INERTIA"}) {
+        DeckRun run(with_card(cubes, "0,0,0") +
+                    "*NODE\n31,0.0,0.0,9.0\n32,0.0,2.0,9.0\n33,0.0,0.0,10.0\n*SET_NODE_LIST\n4\n31,32,33\n"
+                    "*CONSTRAINED_NODAL_RIGID_BODY" +
+                    suffix +
+                    "\n9,0,4\n1,1,6\n0.0,1.0,9.0,5.0\n2.0,0.0,0.0,3.0,0.0,4.0\n1.0,2.0,0.0,0.5,0.0,0.0\n"
+                    "*END\n");
+        ASSERT_EQ(run.error, "") << suffix;
+        const RigidBody& body = run.bodies()[2];
+        EXPECT_EQ(body.mass, 5) << suffix;
+        EXPECT_EQ(body.first_center.y, 1) << suffix;
+        EXPECT_EQ(body.body_inertia.row[2].z, 4) << suffix;
+        EXPECT_EQ(body.velocity.x, 0) << suffix << ": CON1 = 1 holds x";
+        EXPECT_EQ(body.velocity.y, 2) << suffix;
+        EXPECT_EQ(body.angular_velocity.z, 0) << suffix << ": CON2 = 6 holds z and x";
+    }
 }
 
 TEST(RigidDecks, FaultsNameTheirField)
