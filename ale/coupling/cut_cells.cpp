@@ -289,7 +289,8 @@ void CutCells::find_pressure(Index index, const Cell& largest, double out, doubl
     const double bulk_viscosity = mix.stiffness > 0 ? mass / group.volume * jump * viscous : 0;
     group.pressure = mix.pressure + bulk_viscosity - 0.5 * step * mix.stiffness * divergence;
     // 4 / 1.5: so that a whole cell of water asks for the step of a mesh of such cells.
-    const double rate_square = 4 / 1.5 * mix.stiffness / group.volume * node_stiffness;
+    const double rate_square =
+        4 / 1.5 * mix.stiffness / group.volume * (node_stiffness + group.structure_compliance);
     if (rate_square > 0) group.step = 2 / std::sqrt(rate_square);
 }
 

@@ -20,8 +20,10 @@ public:
 
     /// Fluid that hangs together: one cell, or several that are joined.
     struct Group {
-        double volume = 0;   ///< of the open parts at t_n [volume]
-        double swept = 0;    ///< rate at which the surface takes it, at t_n [volume/time]
+        double volume = 0; ///< of the open parts at t_n [volume]
+        double swept = 0;  ///< rate at which the surface takes it, at t_n [volume/time]
+        double structure_compliance =
+            0;               ///< of the surface's nodes: squares of areas over mass [length^4/mass]
         double pressure = 0; ///< for the coming step, with bulk viscosity [pressure]
         double filled = 0;   ///< share of the volume
         double step = 1e300; ///< largest stable one [time]

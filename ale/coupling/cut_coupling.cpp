@@ -1,5 +1,7 @@
 #include "ale/coupling/cut_coupling.h"
 
+#include "core/run_error.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -7,36 +9,48 @@
 
 namespace plash {
 
-CutCoupling::CutCoupling(const CouplingOptions& options, const Surface& surface, EulerianFluid& fluid,
+CutCoupling::CutCoupling(std::vector<CoupledSurface> surfaces, EulerianFluid& fluid,
                          const std::vector<Vec3>& position)
     : fluid_(fluid),
+      surfaces_(std::move(surfaces)),
       cells_(fluid.box()),
       cuts_{BoxCuts(fluid.box().grid), BoxCuts(fluid.box().grid)},
       outside_entry_(fluid.fluid().fields.node_mass.size(), none)
 {
-    for (const Segment& segment : surface.segments) {
-        auto [a, b, c, d] = segment.nodes;
-        if (options.turned) std::swap(b, d == c ? c : d);
-        const bool triangle = segment.nodes[2] == segment.nodes[3];
-        if (triangle && options.turned) d = c;
-        corners_.push_back({a, b, c});
-        if (!triangle) corners_.push_back({a, c, d});
+    for (const auto& [options, surface] : surfaces_) {
+        first_triangle_.push_back(carriers_.size());
+        for (const Segment& segment : surface.segments) {
+            auto [a, b, c, d] = segment.nodes;
+            if (options.turned) std::swap(b, d == c ? c : d);
+            const bool triangle = segment.nodes[2] == segment.nodes[3];
+            if (triangle && options.turned) d = c;
+            if (triangle || segment.rigid) {
+                carriers_.push_back({{a, b, c, c}, false});
+                if (!triangle) carriers_.push_back({{a, c, d, d}, false});
+            } else {
+                for (const auto& nodes : {std::array{a, b, c, d}, std::array{b, c, d, a},
+                                          std::array{c, d, a, b}, std::array{d, a, b, c}})
+                    carriers_.push_back({nodes, true});
+            }
+            deformable_ = deformable_ || !segment.rigid;
+        }
     }
-    triangles_.resize(corners_.size());
-    force_.resize(3 * corners_.size());
+    triangles_.resize(carriers_.size());
+    force_.resize(4 * carriers_.size());
     for (const int axis : {2, 1, 0}) {
         for (BoxCuts& cuts : cuts_) cuts = BoxCuts(fluid.box().grid, axis);
         find_cuts(position);
         if (!gap()) break;
     }
     if (const BoxCuts::Cell* cell = gap()) {
-        const Vec3& at = cuts_[now_].pieces(*cell)[0].middle;
+        const BoxCuts::Piece& piece = cuts_[now_].pieces(*cell)[0];
+        const CouplingOptions& options = options_of(piece.triangle);
         throw DeckError(
             options.where,
             fmt::format("coupling {}: its surface is not closed in the fluid, or there is no lower side "
                         "of the mesh that lies on one side of it, as CUTCELLS of "
                         "*PLASH_ALE_FORMULATION wants it, near ({:g}, {:g}, {:g})",
-                        options.id, at.x, at.y, at.z));
+                        options.id, piece.middle.x, piece.middle.y, piece.middle.z));
     }
     fluid.box().cut = &cells_;
     fluid.follow_structures = [this](const State& state) {
@@ -44,6 +58,28 @@ CutCoupling::CutCoupling(const CouplingOptions& options, const Surface& surface,
         find_cuts(state.position);
         cells_.end(cuts_[now_]);
     };
+}
+
+const CouplingOptions& CutCoupling::options_of(Index triangle) const
+{
+    const auto after =
+        std::upper_bound(first_triangle_.begin(), first_triangle_.end(), std::size_t(triangle));
+    return surfaces_[after - first_triangle_.begin() - 1].options;
+}
+
+/// A surface that has lost a segment is open.
+void CutCoupling::check_exposed(const Clock& clock, const State& state) const
+{
+    for (const auto& [options, surface] : surfaces_) {
+        for (const Segment& segment : surface.segments) {
+            if (is_exposed(segment, state)) continue;
+            const Vec3& at = state.position[segment.nodes[0]];
+            throw RunError(
+                fmt::format("coupling {}: with CUTCELLS of *PLASH_ALE_FORMULATION its surface must stay "
+                            "closed, but an element near ({:g}, {:g}, {:g}) has eroded by time {:g}",
+                            options.id, at.x, at.y, at.z, clock.time));
+        }
+    }
 }
 
 /// A cell that the surface does not close, with fluid in it or beside it.
@@ -61,48 +97,59 @@ const BoxCuts::Cell* CutCoupling::gap() const
     return nullptr;
 }
 
+SurfaceTriangle CutCoupling::triangle_at(std::size_t number, const std::vector<Vec3>& position) const
+{
+    const auto& [node, middle] = carriers_[number];
+    SurfaceTriangle triangle{{position[node[0]], position[node[1]], position[node[2]]}};
+    if (middle)
+        triangle.corner[2] =
+            0.25 * ((position[node[0]] + position[node[2]]) + (position[node[1]] + position[node[3]]));
+    return triangle;
+}
+
 void CutCoupling::find_cuts(const std::vector<Vec3>& position)
 {
-    for (std::size_t n = 0; n < corners_.size(); ++n)
-        for (int corner = 0; corner < 3; ++corner)
-            triangles_[n].corner[corner] = position[corners_[n][corner]];
+    for (std::size_t n = 0; n < triangles_.size(); ++n) triangles_[n] = triangle_at(n, position);
     cuts_[now_].find(fluid_.box().grid, triangles_);
 }
 
 /// Rigid bodies may put their nodes straight after the fluid has looked at them.
 bool CutCoupling::has_moved(const State& state) const
 {
-    for (std::size_t n = 0; n < corners_.size(); ++n) {
+    for (std::size_t n = 0; n < triangles_.size(); ++n) {
+        const SurfaceTriangle now = triangle_at(n, state.position);
         for (int corner = 0; corner < 3; ++corner) {
-            const Vec3 &known = triangles_[n].corner[corner], &now = state.position[corners_[n][corner]];
-            if (known.x != now.x || known.y != now.y || known.z != now.z) return true;
+            const Vec3 &was = triangles_[n].corner[corner], &is = now.corner[corner];
+            if (was.x != is.x || was.y != is.y || was.z != is.z) return true;
         }
     }
     return false;
 }
 
-/// Of the corners of the piece's triangle, for what acts at its middle.
-std::array<double, 3> CutCoupling::weights(const BoxCuts::Piece& piece) const
+/// Of the nodes that carry the piece's triangle, for what acts at the piece's middle.
+CutCoupling::Weights CutCoupling::weights(const BoxCuts::Piece& piece) const
 {
     const auto& [a, b, c] = triangles_[piece.triangle].corner;
     const Vec3 whole = cross(b - a, c - a);
     const double square = dot(whole, whole);
     const double at_b = dot(cross(piece.middle - a, c - a), whole) / square,
                  at_c = dot(cross(b - a, piece.middle - a), whole) / square;
-    return {1 - at_b - at_c, at_b, at_c};
+    const double at_a = 1 - at_b - at_c;
+    if (!carriers_[piece.triangle].middle) return {at_a, at_b, at_c, 0};
+    return {at_a + 0.25 * at_c, at_b + 0.25 * at_c, 0.25 * at_c, 0.25 * at_c};
 }
 
 Vec3 CutCoupling::velocity_of(const BoxCuts::Piece& piece, const State& state) const
 {
-    const std::array<double, 3> weight = weights(piece);
+    const Weights weight = weights(piece);
     Vec3 velocity{};
-    for (int n = 0; n < 3; ++n) velocity += weight[n] * state.velocity[corners_[piece.triangle][n]];
+    for (int n = 0; n < 4; ++n) velocity += weight[n] * state.velocity[carriers_[piece.triangle].node[n]];
     return velocity;
 }
 
-void CutCoupling::press(std::size_t triangle, const std::array<double, 3>& weight, const Vec3& force)
+void CutCoupling::press(std::size_t triangle, const Weights& weight, const Vec3& force)
 {
-    for (int n = 0; n < 3; ++n) force_[3 * triangle + n] += weight[n] * force;
+    for (int n = 0; n < 4; ++n) force_[4 * triangle + n] += weight[n] * force;
 }
 
 void CutCoupling::push_fluid(std::ptrdiff_t node, const Vec3& force)
@@ -138,6 +185,34 @@ void CutCoupling::find_swept(const State& state)
     });
 }
 
+/// What the masses of the surface's own nodes add to the stiffness of each group: squares of the area by
+/// which its pressure acts on a node, over the node's mass.
+void CutCoupling::find_compliance(const State& state)
+{
+    struct Part {
+        Index group, node;
+        Vec3 area;
+    };
+    std::vector<Part> parts;
+    for_wet_pieces([&](Index group, const BoxCuts::Piece& piece) {
+        const Weights weight = weights(piece);
+        for (int n = 0; n < 4; ++n) {
+            const Index node = carriers_[piece.triangle].node[n];
+            if (weight[n] != 0 && state.mass[node] > 0)
+                parts.push_back({group, node, weight[n] * piece.area});
+        }
+    });
+    const auto key = [](const Part& part) { return std::pair(part.group, part.node); };
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](const Part& a, const Part& b) { return key(a) < key(b); });
+    for (std::size_t n = 0; n < parts.size();) {
+        const Part& first = parts[n];
+        Vec3 area{};
+        for (; n < parts.size() && key(parts[n]) == key(first); ++n) area += parts[n].area;
+        cells_.groups()[first.group].structure_compliance += dot(area, area) / state.mass[first.node];
+    }
+}
+
 void CutCoupling::press_structure(const Vec3& gravity)
 {
     for_wet_pieces([&](Index group, const BoxCuts::Piece& piece) {
@@ -145,19 +220,15 @@ void CutCoupling::press_structure(const Vec3& gravity)
     });
 }
 
-/// The mass of a node behind the surface goes along with the nearest piece of it, across it.
-void CutCoupling::hold_covered_nodes(const Clock& clock, const State& state)
+/// Nodes of the fluid with mass behind the surface, each with the nearest piece of it.
+std::vector<CutCoupling::Covered> CutCoupling::covered_nodes() const
 {
-    if (!(clock.last_step > 0)) return;
     const BoxFluid& box = fluid_.box();
     const BoxGrid& grid = box.grid;
     const BoxCuts& cuts = cuts_[now_];
-    struct Nearest {
-        double distance = 1e300;
-        const BoxCuts::Piece* piece = nullptr;
-    };
-    std::unordered_map<std::ptrdiff_t, Nearest> nearest;
-    std::vector<std::ptrdiff_t> order;
+    std::unordered_map<std::ptrdiff_t, std::size_t> entry;
+    std::vector<Covered> covered;
+    std::vector<double> nearest;
     for (const BoxCuts::Cell& cell : cuts.cells()) {
         for (int corner = 0; corner < 8; ++corner) {
             const int i = cell.index[0] + (corner & 1), j = cell.index[1] + (corner >> 1 & 1),
@@ -165,21 +236,64 @@ void CutCoupling::hold_covered_nodes(const Clock& clock, const State& state)
             const std::ptrdiff_t node = grid.at(i, j, k);
             if (!(box.fields.node_mass[node] > 0) || cuts.node_open(i, j, k)) continue;
             const Vec3 place{grid.planes(0)[i], grid.planes(1)[j], grid.planes(2)[k]};
-            auto [entry, is_new] = nearest.try_emplace(node);
-            if (is_new) order.push_back(node);
+            const auto [found, is_new] = entry.try_emplace(node, covered.size());
+            if (is_new) {
+                covered.push_back({node, nullptr});
+                nearest.push_back(1e300);
+            }
             for (const BoxCuts::Piece& piece : cuts.pieces(cell)) {
                 const double distance = std::abs(dot(place - piece.middle, unit(piece.area)));
-                if (distance < entry->second.distance - 1e-9 * grid.smallest_width(0))
-                    entry->second = {distance, &piece};
+                if (!(distance < nearest[found->second] - 1e-9 * grid.smallest_width(0))) continue;
+                nearest[found->second] = distance;
+                covered[found->second].piece = &piece;
             }
         }
     }
-    for (const std::ptrdiff_t node : order) {
-        const BoxCuts::Piece& piece = *nearest[node].piece;
+    return covered;
+}
+
+/// By how much of the difference of velocities a covered node comes nearer to the surface's within a step.
+/// The surface comes nearer too, by the same impulse, and must not pass it: nodes of the surface with mass M
+/// that bear covered mass m take M / (M + m) of it, as when both move on together, so that no energy comes of
+/// it. Rigid bodies stay as they are.
+std::vector<double> CutCoupling::shares_of_motion(const std::vector<Covered>& covered,
+                                                  const State& state) const
+{
+    std::vector<double> share(covered.size(), 1);
+    if (!deformable_) return share;
+    std::unordered_map<Index, double> borne;
+    const auto for_corners = [&](const Covered& one, auto&& visit) {
+        const Weights weight = weights(*one.piece);
+        for (int n = 0; n < 4; ++n) {
+            const Index node = carriers_[one.piece->triangle].node[n];
+            if (weight[n] != 0 && state.mass[node] > 0) visit(node, weight[n]);
+        }
+    };
+    for (const Covered& one : covered)
+        for_corners(one, [&](Index node, double weight) {
+            borne[node] += weight * fluid_.box().fields.node_mass[one.node];
+        });
+    for (std::size_t n = 0; n < covered.size(); ++n)
+        for_corners(covered[n], [&](Index node, double) {
+            share[n] = std::min(share[n], state.mass[node] / (state.mass[node] + borne.at(node)));
+        });
+    return share;
+}
+
+/// The mass of a node behind the surface goes along with the nearest piece of it, across it.
+void CutCoupling::hold_covered_nodes(const Clock& clock, const State& state)
+{
+    if (!(clock.last_step > 0)) return;
+    const BoxFluid& box = fluid_.box();
+    const std::vector<Covered> covered = covered_nodes();
+    const std::vector<double> share = shares_of_motion(covered, state);
+    for (std::size_t n = 0; n < covered.size(); ++n) {
+        const std::ptrdiff_t node = covered[n].node;
+        const BoxCuts::Piece& piece = *covered[n].piece;
         const Vec3 normal = unit(piece.area);
         const auto& v = box.fields.velocity;
         const Vec3 change = velocity_of(piece, state) - Vec3{v[0][node], v[1][node], v[2][node]};
-        const double wanted = dot(change, normal) / clock.last_step;
+        const double wanted = share[n] * dot(change, normal) / clock.last_step;
         const Vec3 force = (box.fields.node_mass[node] * wanted) * normal;
         push_fluid(node, force);
         press(piece.triangle, weights(piece), -force);
@@ -189,19 +303,21 @@ void CutCoupling::hold_covered_nodes(const Clock& clock, const State& state)
 double CutCoupling::power(const State& state) const
 {
     double sum = 0;
-    for (std::size_t n = 0; n < corners_.size(); ++n)
-        for (int corner = 0; corner < 3; ++corner)
-            sum += dot(force_[3 * n + corner], state.velocity[corners_[n][corner]]);
+    for (std::size_t n = 0; n < carriers_.size(); ++n)
+        for (int corner = 0; corner < 4; ++corner)
+            sum += dot(force_[4 * n + corner], state.velocity[carriers_[n].node[corner]]);
     return sum;
 }
 
 void CutCoupling::add_forces(const Clock& clock, State& state)
 {
     const double before = power(state);
+    if (!state.deleted_shells.empty() || !state.deleted_solids.empty()) check_exposed(clock, state);
     if (has_moved(state)) find_cuts(state.position);
     std::fill(force_.begin(), force_.end(), Vec3{});
     cells_.begin(cuts_[now_]);
     find_swept(state);
+    if (deformable_) find_compliance(state);
     cells_.find_pressures(clock.last_step);
     const std::array<double, 3> g = fluid_.gravity(clock.time);
     const Vec3 gravity{g[0], g[1], g[2]};
@@ -215,8 +331,9 @@ void CutCoupling::add_forces(const Clock& clock, State& state)
     hold_covered_nodes(clock, state);
     for (const NodeForceFromOutside& outside : fluid_.fluid().outside_forces)
         outside_entry_[outside.place] = none;
-    for (std::size_t n = 0; n < corners_.size(); ++n)
-        for (int corner = 0; corner < 3; ++corner) state.force[corners_[n][corner]] += force_[3 * n + corner];
+    for (std::size_t n = 0; n < carriers_.size(); ++n)
+        for (int corner = 0; corner < 4; ++corner)
+            state.force[carriers_[n].node[corner]] += force_[4 * n + corner];
     work_on_structure_ += 0.5 * clock.last_step * (before + power(state));
 }
 
@@ -231,9 +348,9 @@ StepVote CutCoupling::stable_step() const
 void CutCoupling::collect(const State&, ElementResults& results) const
 {
     if (results.coupling_force.empty()) return;
-    for (std::size_t n = 0; n < corners_.size(); ++n)
-        for (int corner = 0; corner < 3; ++corner)
-            results.coupling_force[corners_[n][corner]] += force_[3 * n + corner];
+    for (std::size_t n = 0; n < carriers_.size(); ++n)
+        for (int corner = 0; corner < 4; ++corner)
+            results.coupling_force[carriers_[n].node[corner]] += force_[4 * n + corner];
 }
 
 Vec3 CutCoupling::force() const
@@ -250,9 +367,9 @@ std::vector<std::string> CutCoupling::notices(const State&) const
         "springs; PFAC, DAMP, NQUAD, FRCMIN, DIREC, ILEAK and PLEAK of the coupling have no effect"};
 }
 
-std::unique_ptr<CutCoupling> make_cut_coupling(const CouplingOptions& options, const Surface& surface,
-                                               EulerianFluid& fluid, const std::vector<Vec3>& position)
+void check_cut_coupling(const CoupledSurface& surface, const EulerianFluid& fluid)
 {
+    const CouplingOptions& options = surface.options;
     const auto refuse = [&](std::string_view why) {
         throw DeckError(options.where, fmt::format("coupling {}: with CUTCELLS of *PLASH_ALE_FORMULATION {}",
                                                    options.id, why));
@@ -260,19 +377,14 @@ std::unique_ptr<CutCoupling> make_cut_coupling(const CouplingOptions& options, c
     if (!fluid.block().is_box()) refuse("the mesh must be a block between planes along the global axes");
     if (fluid.moves()) refuse("the mesh must stand still");
     if (!fluid.fluid().lagrange.void_allowed) refuse("the mesh must have void (*MAT_VACUUM, ELFORM 12)");
-    if (fluid.box().cut) refuse("a mesh can have one coupling only");
     const unsigned all = (1u << fluid.fluid().groups.size()) - 1;
     if ((options.fluids & all) != all) refuse("MCOUP must name all groups");
-    if (std::any_of(surface.segments.begin(), surface.segments.end(),
-                    [](const Segment& s) { return !s.rigid; }))
-        refuse("the structure must be rigid");
     if (options.direction == CouplingOptions::Direction::all || options.friction != 0)
         refuse("nothing can be held along the surface (CTYPE 1, 2; DIREC 3; FRIC)");
     if (options.pressure_curve != none) refuse("PFAC cannot be a curve");
     constexpr double default_end = 1e10;
     if (options.start > 0 || options.end < default_end) refuse("START and END cannot be given");
     if (options.both_sides || options.contact != 0) refuse("a coupling cannot stand for a contact");
-    return std::make_unique<CutCoupling>(options, surface, fluid, position);
 }
 
 } // namespace plash

@@ -540,9 +540,11 @@ make_fluid_couplings(const Model& model, const std::vector<EulerianFluid*>& flui
     const std::vector<PartData> parts = part_data(model);
     SurfaceOptions surface_options;
     surface_options.orient_by_deck = true;
+    std::vector<std::vector<CoupledSurface>> cut(fluids.size());
     for (const CouplingOptions& options : all) {
         bool found = false;
-        for (EulerianFluid* fluid : fluids) {
+        for (std::size_t number = 0; number < fluids.size(); ++number) {
+            EulerianFluid* fluid = fluids[number];
             const auto& solids = fluid->block().solids;
             const auto takes_part = [&](Index solid) { return options.mesh_parts[model.solids.part[solid]]; };
             if (!std::any_of(solids.begin(), solids.end(), takes_part)) continue;
@@ -553,7 +555,8 @@ make_fluid_couplings(const Model& model, const std::vector<EulerianFluid*>& flui
                                                            "outer faces of solids",
                                                            options.id));
             if (options.cut_cells) {
-                couplings.push_back(make_cut_coupling(options, surface, *fluid, state.position));
+                cut[number].push_back({options, std::move(surface)});
+                check_cut_coupling(cut[number].back(), *fluid);
                 continue;
             }
             if (options.both_sides) add_back_sides(surface);
@@ -564,6 +567,10 @@ make_fluid_couplings(const Model& model, const std::vector<EulerianFluid*>& flui
             throw DeckError(options.where,
                             fmt::format("coupling {}: no Eulerian mesh belongs to its ALESID", options.id));
     }
+    for (std::size_t number = 0; number < fluids.size(); ++number)
+        if (!cut[number].empty())
+            couplings.push_back(
+                std::make_unique<CutCoupling>(std::move(cut[number]), *fluids[number], state.position));
     return couplings;
 }
 
