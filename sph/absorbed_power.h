@@ -7,7 +7,8 @@ namespace plash {
 
 /// Sums what the images of absorbing planes add to motion and heat of the particles, over the pairs of a run.
 /// A pair of a particle i and an image j adds w_i w_j (push_j v_i + push_i v_j) . x_ij steepness; in all
-/// other pairs that of the other side takes it back.
+/// other pairs that of the other side takes it back. Particles asleep do not: they have v_j = 0, and keep
+/// their energy.
 template <class Kernel>
 class AbsorbedPower {
 public:
@@ -24,12 +25,17 @@ public:
     void outside(const Index* place)
     {
         const std::size_t other = *place, real_count = arrays_.real_count();
-        if (other < real_count || !images_.absorbs(other - real_count)) return;
+        const bool at_rest = !arrays_.asleep.empty() && asleep(other);
+        if (!at_rest && (other < real_count || !images_.absorbs(other - real_count))) return;
         const MotionRecord &a = arrays_.motion[own_], &b = arrays_.motion[other];
         const Vec3 apart = a.position - b.position;
         const double square = dot(apart, apart) + tiny_square;
         const double steepness = steepness_(square, 1 / std::sqrt(square), 2 / (a.smoothing + b.smoothing));
         const double pull = a.weight * b.weight * steepness;
+        if (at_rest) {
+            force_[own_] += pull * pushed(other, apart);
+            return;
+        }
         const Vec3 own_force = pull * pushed(own_, apart);
         const Index source = images_.source(other - real_count);
         const Matrix3& flow = images_.flow(other - real_count);
@@ -46,6 +52,11 @@ private:
     Steepness<Kernel> steepness_;
     std::vector<Vec3>& force_;
 
+    bool asleep(std::size_t place) const
+    {
+        const std::size_t real_count = arrays_.real_count();
+        return arrays_.asleep[place < real_count ? place : images_.source(place - real_count)];
+    }
     Vec3 pushed(std::size_t place, const Vec3& apart) const
     {
         const double push = arrays_.push[place].push;

@@ -197,14 +197,16 @@ void check_count(const std::vector<ParticlePart>& parts, const Model& model, con
     const auto comes_or_goes = [](const ParticlePart& part) {
         return part.birth > 0 || part.death < forever;
     };
-    const bool apart = !options.parts_interact || std::any_of(parts.begin(), parts.end(), comes_or_goes);
+    const bool apart = !options.parts_interact || options.birth > 0 || options.death < forever ||
+                       std::any_of(parts.begin(), parts.end(), comes_or_goes);
     const std::size_t most = model.stand_ins.empty() ? 64 : 32;
     if (parts.size() <= most || (!apart && model.stand_ins.empty())) return;
     throw DeckError(
         model.parts[parts[most].model_part].where,
-        fmt::format("there are {} parts of particles; with CONT = 1 of *CONTROL_SPH, START or DEATH of "
-                    "*SECTION_SPH or *DEFINE_ADAPTIVE_SOLID_TO_SPH no more than {} can be told apart",
-                    parts.size(), most));
+        fmt::format(
+            "there are {} parts of particles; with CONT = 1, START or DT of *CONTROL_SPH, START or "
+            "DEATH of *SECTION_SPH or *DEFINE_ADAPTIVE_SOLID_TO_SPH no more than {} can be told apart",
+            parts.size(), most));
 }
 
 /// Rings stand on one side of the axis, and options that move particles besides their velocity know no hoops.

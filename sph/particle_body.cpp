@@ -75,7 +75,7 @@ ParticleBody::ParticleBody(std::vector<ParticlePart> parts, ParticleOptions opti
     alive_ = alive(0);
     if (viscous && options_.laminar_by_velocity) arrays_.laminar.resize(real_count_);
     search(state);
-    if (tensor_ || options_.axisymmetric) sum_rates({}); // for what corrects the first forces
+    if (tensor_ || options_.axisymmetric) sum_rates({}, 0.5); // for what corrects the first forces
     apply_laws(0, sleepers_);
     apply_laws(0, places_);
     for (std::size_t p = 0; p < arrays_.rest_pressure.size(); ++p) {
@@ -170,22 +170,28 @@ void ParticleBody::fill_up()
 
 void ParticleBody::add_forces(const Clock& clock, State& state)
 {
+    const bool acts = clock.time >= options_.birth && clock.time <= options_.death;
+    if (!acts && alive_ == 0) {
+        if (clock.time > options_.death) vote_ = {}; // until the birth that of the start stands
+        return;
+    }
     vote_ = {};
-    if (clock.time < options_.birth || clock.time > options_.death) return;
     std::vector<Index> newcomers;
-    if (hosts_.someone_lost(state)) newcomers = take_out_of_solids(state);
+    if (acts && hosts_.someone_lost(state)) newcomers = take_out_of_solids(state);
     if (hosts_.any() && !anyone_free()) return;
     follow_solids(state);
     read_motion(clock, state);
     add_absorbed_work(0.5 * clock.last_step);
-    const bool same_parts = alive(clock.time) == std::exchange(alive_, alive(clock.time));
-    if (!newcomers.empty() || !same_parts || !lists_hold(state) || anyone_leaves()) search(state);
-    ++cycles_since_search_;
-    images_.refresh_motion(arrays_);
-    if (clock.last_step > 0) sum_rates(clock);
     if (newcomers.empty()) {
+        find_rates(clock, state);
         apply_laws(clock.last_step, places_);
+        if (!fallen_asleep_.empty()) apply_last_laws(clock.last_step);
     } else {
+        alive_ = alive(clock.time);
+        search(state);
+        ++cycles_since_search_;
+        images_.refresh_motion(arrays_);
+        if (clock.last_step > 0) sum_rates(clock, 0.5);
         apply_laws_beside(newcomers, clock.last_step);
     }
     if (!bonded_places_.empty()) set_bonded(clock.last_step, state);
@@ -208,30 +214,61 @@ void ParticleBody::add_forces(const Clock& clock, State& state)
     if (options_.velocity_blend > 0 || options_.shifting > 0) find_drifts(state);
 }
 
-/// Density rates, and where stresses need them velocity gradients, over the step that ends at n.
-void ParticleBody::sum_rates(const Clock& clock)
+/// Neighbours of n, and the rates over the step that ends there. Where particles begin or cease to act on
+/// each other at n, those of its begin act over its first half and those of its end over the other one: the
+/// rates are the mean of both, at the places of either end, as pressure does its work.
+void ParticleBody::find_rates(const Clock& clock, State& state)
 {
-    const double step = clock.last_step;
+    const bool someone_leaves = anyone_leaves();
+    const std::uint64_t now_alive = alive(clock.time);
+    const bool holds = lists_hold(state);
+    const bool same = now_alive == alive_ && !someone_leaves && (holds || options_.regions.empty());
+    const bool mixes = !same && clock.last_step > 0;
+    if (mixes) {
+        images_.refresh_motion(arrays_);
+        sum_rates(clock, 1);
+        if (someone_leaves) add_last_work(clock.last_step);
+    }
+    alive_ = now_alive;
+    if (!same || !holds) search(state);
+    ++cycles_since_search_;
+    images_.refresh_motion(arrays_);
+    if (clock.last_step == 0) return;
+    if (!mixes) return sum_rates(clock, 0.5);
+    const std::vector<double> rate_before = arrays_.rate;
+    const std::vector<Tensor3<double>> gradient_before = arrays_.gradient;
+    sum_rates(clock, 0);
+    for (Index p = 0; p < arrays_.real_count(); ++p) {
+        arrays_.rate[p] = 0.5 * (rate_before[p] + arrays_.rate[p]);
+        if (tensor_) arrays_.gradient[p] = 0.5 * (gradient_before[p] + arrays_.gradient[p]);
+    }
+}
+
+/// Density rates, and where stresses need them velocity gradients, over the step that ends at n; of `back`
+/// steps before its end.
+void ParticleBody::sum_rates(const Clock& clock, double back)
+{
+    const double step = clock.last_step, time_back = back * step;
     if (!tensor_) {
         const DensityDiffusion diffusion = step > 0 ? density_diffusion(clock) : DensityDiffusion{};
-        sum_density_rates(options_.kernel, options_.dimension, 0.5 * step, runs_, arrays_, diffusion);
+        sum_density_rates(options_.kernel, options_.dimension, time_back, runs_, arrays_, diffusion);
         if (options_.axisymmetric) {
             for (Index p = 0; p < arrays_.real_count(); ++p) {
                 double& moment = arrays_.moment[p];
                 moment = ring_moment(moment);
-                arrays_.rate[p] = arrays_.rate[p] / moment - hoop_rate(arrays_.motion[p], 0.5 * step);
+                arrays_.rate[p] = arrays_.rate[p] / moment - hoop_rate(arrays_.motion[p], time_back);
             }
         }
         return;
     }
     const auto take = [&](const NeighbourRun& run, const GradientSums* sums) {
-        for (Index i = 0; i < run.length(); ++i) take_gradient(run.begin + i, 0.5 * step, sums[i]);
+        for (Index i = 0; i < run.length(); ++i) take_gradient(run.begin + i, time_back, sums[i]);
     };
-    sum_velocity_gradients(options_.kernel, options_.dimension, 0.5 * step, runs_, arrays_, take);
+    sum_velocity_gradients(options_.kernel, options_.dimension, time_back, runs_, arrays_, take);
 }
 
 /// The correction is that of the middle of the step; what the forces of its end use has turned on by half.
-void ParticleBody::take_gradient(Index place, double half_step, const GradientSums& sums)
+void ParticleBody::take_gradient(Index place, double time_back, const GradientSums& sums)
 {
     ParticleArrays& a = arrays_;
     double scale = options_.volume_weighted ? 1 : 1 / a.density(place);
@@ -249,9 +286,9 @@ void ParticleBody::take_gradient(Index place, double half_step, const GradientSu
     if (options_.renormalised) {
         const SymmetricTensor<double> b = gradient_correction(sums, scale, options_.dimension);
         gradient = gradient * full_tensor(b);
-        a.correction[place] = turned_half(b, half_step * axial_vector(gradient));
+        a.correction[place] = turned_half(b, time_back * axial_vector(gradient));
     }
-    if (options_.axisymmetric) gradient.zz = hoop_rate(a.motion[place], half_step);
+    if (options_.axisymmetric) gradient.zz = hoop_rate(a.motion[place], time_back);
     a.gradient[place] = gradient;
     const double expansion = gradient.xx + gradient.yy + gradient.zz;
     a.rate[place] = options_.volume_weighted ? -expansion : -expansion * a.density(place);
@@ -430,6 +467,8 @@ void ParticleBody::after_motion(const Clock& clock, State& state)
     }
     images_.reflect_passed(arrays_, state);
     calm_wake(clock, state);
+    for (Index node : leavers_) state.velocity[node] = {};
+    leavers_.clear();
 }
 
 StepVote ParticleBody::stable_step() const

@@ -146,14 +146,17 @@ private:
     long cycles_since_search_ = 0;
     long searches_ = 0;
     std::vector<Departed> departed_;
+    std::vector<Index> leavers_;           ///< nodes of those that have left in this cycle
+    std::vector<PlaceList> fallen_asleep_; ///< by part: in this cycle; empty: nobody has
     std::vector<Vec3> followed_; ///< by periodic pair: where its node was at the last search [length]
-    double wall_work_ = 0;  ///< of walls that slide on the viscous fluid, and of absorbing planes [energy]
+    double wall_work_ = 0;  ///< of walls that slide on the viscous fluid, absorbing planes, sleepers [energy]
     double wall_power_ = 0; ///< [energy/time]
-    std::vector<Vec3> absorbed_force_; ///< by sorted place, of absorbing planes; empty without [force]
-    double absorbed_power_ = 0;        ///< what goes with it [energy/time]
-    double damped_energy_ = 0;         ///< taken from the wake of moving domains and from sleepers [energy]
-    std::vector<Vec3> regions_at_;     ///< by region: how far it had travelled at the last search [length]
-    std::uint64_t alive_ = ~0ULL;      ///< by part, a bit each: between birth and death at the last search
+    std::vector<Vec3>
+        absorbed_force_;        ///< by sorted place, of absorbing planes and sleepers; empty without [force]
+    double absorbed_power_ = 0; ///< what goes with it [energy/time]
+    double damped_energy_ = 0;  ///< taken from the wake of moving domains and from sleepers [energy]
+    std::vector<Vec3> regions_at_; ///< by region: how far it had travelled at the last search [length]
+    std::uint64_t alive_ = ~0ULL;  ///< by part, a bit each: acted at the last search
     ParticleVote vote_;
 
     void create(const State& state);
@@ -177,11 +180,15 @@ private:
     bool leaves(Index place) const;
     bool anyone_leaves() const;
     bool is_awake(Index place) const;
+    bool anyone_asleep() const;
     void put_to_sleep(State& state);
-    void sum_rates(const Clock& clock);
-    void take_gradient(Index place, double half_step, const GradientSums& sums);
+    void find_rates(const Clock& clock, State& state);
+    void sum_rates(const Clock& clock, double back);
+    void take_gradient(Index place, double time_back, const GradientSums& sums);
     void search(State& state);
     std::vector<Index> dismiss_leaving(State& state);
+    void add_last_work(double step);
+    void apply_last_laws(double step);
     void choose_skin();
     double set_reaches();
     void list_neighbours(const ParticleCells& cells);

@@ -90,13 +90,14 @@ void ParticleBody::find_wall_gradients()
 }
 
 /// What sliding walls do: viscous forces between particles take from the motion what they heat, so what
-/// motion and heat gain together comes from the images behind such walls.
+/// motion and heat gain together comes from the images behind such walls. Likewise what particles asleep
+/// would be heated by.
 double ParticleBody::power_of_walls() const
 {
     const bool sliding =
         std::any_of(options_.mirrors.begin(), options_.mirrors.end(),
                     [](const MirrorPlane& wall) { return wall.no_slip && norm(wall.velocity) > 0; });
-    if (!sliding) return 0;
+    if (!sliding && !anyone_asleep()) return 0;
     return sum_chunks(real_count_, [&](std::size_t begin, std::size_t end) {
         double power = 0;
         for (std::size_t p = begin; p < end; ++p) {
@@ -119,9 +120,10 @@ void ParticleBody::add_absorbed_work(double half_step)
 
 void ParticleBody::find_absorbed_forces()
 {
-    if (!images_.any_absorbing()) return;
-    absorbed_force_.assign(real_count_, {});
+    absorbed_force_.clear();
     absorbed_power_ = 0;
+    if (!images_.any_absorbing() && !anyone_asleep()) return;
+    absorbed_force_.assign(real_count_, {});
     with_kernel(options_.kernel, [&]<class K>(K) {
         for (const NeighbourRun& run : runs_) {
             AbsorbedPower<K> pass(arrays_, images_, run.begin, options_.dimension, absorbed_force_);

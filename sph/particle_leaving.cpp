@@ -29,8 +29,29 @@ bool ParticleBody::anyone_leaves() const
            }) > 0;
 }
 
-/// Takes leaving particles out of the motion: their nodes stand still without mass, their energies go to the
-/// eroded ones. Returns the places of those that stay; empty: all do.
+/// Forces of others have acted on leaving particles for the first half of the step that ends now: their
+/// energies take its work, with the rates that `find_rates` has found before it lets them go.
+void ParticleBody::add_last_work(double step)
+{
+    ParticleArrays& a = arrays_;
+    for (Index p = 0; p < a.real_count(); ++p) {
+        if (!leaves(p)) continue;
+        const PartConstants& part = parts_[a.part[p]].constants;
+        double power; // by volume
+        if (parts_[a.part[p]].law->has_strength()) {
+            power = contract(a.stress[p], symmetric_part(a.gradient[p]));
+            if (!a.bulk.empty()) power -= a.bulk[p] * trace(symmetric_part(a.gradient[p]));
+        } else {
+            const double closing = part.volume_weighted ? a.rate[p] : a.rate[p] / a.density(p);
+            power = (a.pressure(p) + (a.bulk.empty() ? 0 : a.bulk[p])) * closing;
+        }
+        a.energy[p] += 0.5 * step * power * part.density / a.density(p);
+    }
+}
+
+/// Takes leaving particles out of the motion: their nodes stand still without mass from the end of the cycle
+/// on, as other terms still count the work of their last forces, and their energies go to the eroded ones.
+/// Returns the places of those that stay; empty: all do.
 std::vector<Index> ParticleBody::dismiss_leaving(State& state)
 {
     ParticleArrays& a = arrays_;
@@ -48,7 +69,7 @@ std::vector<Index> ParticleBody::dismiss_leaving(State& state)
         left.kinetic += 0.5 * a.mass(p) * dot(a.motion[p].velocity, a.motion[p].velocity);
         left.internal += a.energy[p] * a.mass(p) / parts_[a.part[p]].constants.density;
         state.mass[a.node[p]] = 0;
-        state.velocity[a.node[p]] = {};
+        leavers_.push_back(a.node[p]);
     }
     real_count_ = staying.size();
     return staying;

@@ -96,6 +96,8 @@ void read_control(const Record& control, ParticleOptions& options)
         control, "DERIV", "smoothing lengths follow h div(v) / d (0), or with the cube root of div(v) (1)");
     options.failed_carry_nothing =
         is_one(control, "IEROD", "failed particles stay as they are (0) or lose their stress (1)");
+    if (is_one(control, "ISHIFT", "particles go with the flow (0) or are shifted apart as well (1)"))
+        options.shifting = 1;
     options.bulk_viscosity =
         is_one(control, "IAVIS", "viscosity is Monaghan's (0) or as solid elements have it (1)");
 }
@@ -129,7 +131,7 @@ void read_formulation(const Record& record, ParticleOptions& options)
     };
     if (record.given("DELTA")) options.density_diffusion = share("DELTA", 1);
     options.velocity_blend = share("XSPH", 1);
-    options.shifting = share("SHIFT", 10);
+    if (record.given("SHIFT")) options.shifting = share("SHIFT", 10);
     options.tensile_repulsion = share("TENSILE", 10);
     const Id viscosity = record.integer("VISC");
     if (viscosity < 0 || viscosity > 1) {

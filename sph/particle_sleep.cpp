@@ -24,12 +24,21 @@ bool ParticleBody::is_awake(Index place) const
     return !concerned;
 }
 
-/// Finds who is awake, and stops who is not; the energy of their motion counts as damped.
+/// Whether particles stand still whose neighbours move.
+bool ParticleBody::anyone_asleep() const
+{
+    return std::any_of(sleepers_.begin(), sleepers_.end(),
+                       [](const PlaceList& places) { return places.size() > 0; });
+}
+
+/// Finds who is awake. Others see those that fall asleep stand still from now on; their nodes are stopped
+/// when all forces are known.
 void ParticleBody::put_to_sleep(State& state)
 {
     ParticleArrays& a = arrays_;
     places_.assign(parts_.size(), {});
     sleepers_.assign(parts_.size(), {});
+    fallen_asleep_.clear();
     const bool nobody = options_.regions.empty() && !inflows_.any();
     inflows_.look(state);
     regions_at_.clear();
@@ -48,21 +57,40 @@ void ParticleBody::put_to_sleep(State& state)
             continue;
         }
         const bool asleep = !nobody && !is_awake(p);
+        const bool was_awake = nobody || a.asleep[p] == 0;
         if (!nobody) a.asleep[p] = asleep;
         // Those that wait to flow in are pressed by those in front of them.
         const bool at_rest = asleep && !inflows_.waits(a.node[p]);
         (at_rest ? sleepers_ : places_)[a.part[p]].add(p);
         if (!at_rest) continue;
-        Vec3& velocity = state.velocity[a.node[p]];
-        damped_energy_ += 0.5 * a.mass(p) * dot(velocity, velocity);
-        velocity = a.motion[p].velocity = {};
-        a.rate[p] = 0;
+        a.motion[p].velocity = {};
+        if (!was_awake) continue;
+        fallen_asleep_.resize(parts_.size());
+        fallen_asleep_[a.part[p]].add(p);
     }
+}
+
+/// Laws of those that have fallen asleep, a last time: what pressed on them did so for half of the step.
+void ParticleBody::apply_last_laws(double step)
+{
+    const ParticleVote vote = vote_;
+    apply_laws(step, fallen_asleep_);
+    vote_ = vote;
 }
 
 void ParticleBody::constrain(const Clock& clock, State& state)
 {
     inflows_.constrain(clock, state);
+    // All terms have counted the work of the forces of n over the step that ends there.
+    for (const PlaceList& fallen : fallen_asleep_) {
+        fallen.for_each([&](Index p) {
+            const Index node = arrays_.node[p];
+            const Vec3& velocity = state.velocity[node];
+            damped_energy_ += 0.5 * (arrays_.mass(p) * dot(velocity, velocity) +
+                                     clock.last_step * dot(state.force[node], velocity));
+        });
+    }
+    fallen_asleep_.clear();
     for (const PlaceList& sleepers : sleepers_) {
         sleepers.for_each([&](Index p) {
             state.force[arrays_.node[p]] = {};
