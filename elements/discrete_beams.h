@@ -30,6 +30,11 @@ public:
     double scale_mass(double step, bool only_small, State&) override;
     void report(EnergyLedger&) const override;
     void collect(const State&, ElementResults&) const override;
+    std::vector<std::string> notices(const State&) const override
+    {
+        if (law_->notice.empty()) return {};
+        return {law_->notice};
+    }
     void serialise(Archive& archive) override { archive(beams_, points_, eroded_); }
 
 private:

@@ -17,6 +17,7 @@ constexpr std::pair<std::string_view, LawMaker*> law_makers[] = {
     {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", make_linear_discrete_beam},
     {"MAT_NONLINEAR_ELASTIC_DISCRETE_BEAM", make_nonlinear_discrete_beam},
     {"MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM", make_plastic_discrete_beam},
+    {"MAT_SID_DAMPER_DISCRETE_BEAM", make_sid_damper},
     {"MAT_HYDRAULIC_GAS_DAMPER_DISCRETE_BEAM", make_hydraulic_gas_damper},
     {"MAT_CABLE_DISCRETE_BEAM", make_cable},
     {"MAT_ELASTIC_SPRING_DISCRETE_BEAM", make_spring_beam},

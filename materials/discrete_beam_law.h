@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace plash {
 
@@ -41,6 +42,7 @@ public:
     bool cable = false;       ///< has an area (CA), and a volume from it where the section gives none
     double area = 0;          ///< CA of the section, set by the element [length^2]
     double length_offset = 0; ///< OFFSET of the section, set by the element [length]
+    std::string notice;       ///< what the user should know of the law; empty: nothing
 };
 
 /// The law of a material. DeckError where it is none of discrete beams.

@@ -17,6 +17,9 @@ std::unique_ptr<DiscreteBeamLaw> make_nonlinear_discrete_beam(const Record&, con
 /// both senses; fails as 067.
 std::unique_ptr<DiscreteBeamLaw> make_plastic_discrete_beam(const Record&, const Model&);
 
+/// *MAT_069: damper of side impact dummies.
+std::unique_ptr<DiscreteBeamLaw> make_sid_damper(const Record&, const Model&);
+
 /// *MAT_070: hydraulic damper with a gas spring.
 std::unique_ptr<DiscreteBeamLaw> make_hydraulic_gas_damper(const Record&, const Model&);
 

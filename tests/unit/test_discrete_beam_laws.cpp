@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace plash {
@@ -106,6 +107,55 @@ TEST(DiscreteBeamLaws, HydraulicDamperAddsGasAndOrifice)
     point.way[0] = -1;
     const auto two = forces_along(*law, {-1 - 1e-6, -1 + 1e-6});
     EXPECT_NEAR(law->stiffness(point)[0], (two[1] - two[0]) / 2e-6, 1e-6);
+}
+
+TEST(DiscreteBeamLaws, SidDamperClosesItsOrificesAsThePistonPassesThem)
+{
+    // Values of tests/reference/sid_damper.py, whose sums over strips are good to 1e-6.
+    Model model;
+    add_curve(model, {0, 1, 2}, {0, 3, 8});
+    add_curve(model, {0, 1}, {0.2, 0.3});
+    Record material = make_record("MAT_SID_DAMPER_DISCRETE_BEAM", {{"ST", 6.5},
+                                                                   {"D", 4},
+                                                                   {"R", 0.4},
+                                                                   {"H", 0.15},
+                                                                   {"K", 2},
+                                                                   {"C", 0.6},
+                                                                   {"STF", 50},
+                                                                   {"RHOF", 1.2},
+                                                                   {"C1", 0.3},
+                                                                   {"C2", 0.5},
+                                                                   {"LCIDF", 1},
+                                                                   {"LCIDD", 2},
+                                                                   {"S0", 0.1}});
+    Table table;
+    table.columns = {"ORFLOC", "ORFRAD", "SF", "DC"};
+    table.values = {2, 0, 1.5, 7, 4, 0.5, 1, 0, 4.6, 0, 1, 0};
+    table.lines = {1, 2, 3};
+    material.tables.push_back(table);
+    const auto law = make_discrete_beam_law(material, model);
+    ASSERT_TRUE(law->along_nodes);
+    EXPECT_NE(law->notice.find("segment of height H = 0.15"), std::string::npos) << law->notice;
+    const auto at = [&](double length, double rate) {
+        return forces_along(*law, {length - 6}, 0, rate, 6).front();
+    };
+    for (const auto& [length, rate, force] : {std::array{6.0, -0.5, -984.21595},
+                                              {4.7, -0.5, -1215.31107},
+                                              {4.1, 0.7, 6295.45799},
+                                              {2.3, -0.2, -2495.64141},
+                                              {1.95, -0.2, -11479.68639},
+                                              {1.62, -0.01, -3980.53128}})
+        EXPECT_NEAR(at(length, rate), force, 1e-5 * std::abs(force)) << length;
+    // Bottomed out: beyond the stroke, and where the last orifice, at 2 - 0.4, has closed.
+    EXPECT_NEAR(at(6.7, 0.1), 50 * 0.2 + 7 * 0.1, 1e-12);
+    EXPECT_NEAR(at(1.5, -0.1), -50 * 0.1 - 7 * 0.1, 1e-12);
+    // The damping that the step sees is dF/dV.
+    DiscreteBeamPoint point;
+    point.length = 4.1;
+    point.way[0] = -1.9;
+    point.rate[0] = 0.7;
+    EXPECT_NEAR(law->damping(point)[0], (at(4.1, 0.7 + 1e-5) - at(4.1, 0.7 - 1e-5)) / 2e-5, 1e-4);
+    EXPECT_EQ(law->stiffness(point)[0], 50);
 }
 
 TEST(DiscreteBeamLaws, CableCarriesTensionAloneAndHoldsItsPreload)

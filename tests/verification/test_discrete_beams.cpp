@@ -207,6 +207,38 @@ TEST(DiscreteBeams, FiniteLengthKeepsAngularMomentumAndEnergy)
     }
 }
 
+TEST(DiscreteBeams, SidDamperStopsAMassByItsOrifice)
+{
+    // One large orifice and the linear term alone: v' = -c / m v with c = K C1 A / A0 constant while it is
+    // open.
+    Record material =
+        make_record("MAT_SID_DAMPER_DISCRETE_BEAM",
+                    {{"ST", 10}, {"D", 2}, {"R", 0.5}, {"K", 2}, {"C", 0.6}, {"STF", 100}, {"C1", 0.25}});
+    Table table;
+    table.columns = {"ORFLOC", "ORFRAD", "SF", "DC"};
+    table.values = {1, 0, 1, 0};
+    table.lines = {1};
+    material.tables.push_back(table);
+    Model model = one_beam(material, {}, 10);
+    hold(model, {0}, 7);
+    model.masses.id = {1};
+    model.masses.node = {1};
+    model.masses.mass = {2};
+    start(model, 1, {-3, 0, 0});
+    model.controls.time.end_time = 2;
+    model.controls.time.step_scale = 0.01;
+    Scene scene = make_scene(model);
+    double speed = 0, length = 0;
+    run_to_end(scene, [&](const Clock& clock, const State& state) {
+        speed = state.velocity[1].x;
+        length = state.position[1].x - 0.5 * clock.last_step * speed;
+    });
+    const double decay = 2 * 0.25 * 4 / 2; // K C1 A / A0 / m, A / A0 = (2 / 1)^2
+    EXPECT_NEAR(speed, -3 * std::exp(-2 * decay), 1e-3);
+    EXPECT_NEAR(length, 10 - 3 / decay * (1 - std::exp(-2 * decay)), 2e-2);
+    EXPECT_LT(scene.ledger.balance_error(), 1e-3);
+}
+
 TEST(DiscreteBeams, CableIsSlackUntilItsLengthIsReached)
 {
     // A mass flies off at speed 1 with 0.5 of slack; E A / N = 8: caught, it turns round with the same speed.
