@@ -4,13 +4,10 @@
 Usage: floating_box.py [CELLS_ALONG_THE_TANK] [COUPLING]     (default: 16, the text of the coupling's cards below)
 Tank 0.4 m, box 0.15 m, cards of the coupling separated by /; prints the draught over the last third of 3 s beside 0.075 m.
 """
-import pathlib
-import subprocess
 import sys
-import tempfile
 
-top = pathlib.Path(__file__).resolve().parent.parent
-plash = top / "build" / "release" / "plash"
+from floating_decks import rigid_box, under_gravity, water_and_void, way_along_z
+
 cells = int(sys.argv[1]) if len(sys.argv) > 1 else 16
 coupling = sys.argv[2].replace("/", "\n") if len(sys.argv) > 2 else "2,4,1,1\n0,0,0.1,0,0.3,0,0,0.2\n,,,2,0.1"
 side, low, level, end = 0.15, 0.1275, 0.2625, 3.0
@@ -40,75 +37,17 @@ parts = [patch(100000 + 10000 * number, *wall) for number, wall in enumerate(wal
 text = "*KEYWORD\n*ALE_STRUCTURED_MESH\n1,10,1,1\n1,2,3\n"
 for axis in (1, 2, 3):
     text += f"*ALE_STRUCTURED_MESH_CONTROL_POINTS\n{axis}\n1,0\n{cells + 1},0.4\n"
-text += f"""*ALE_MULTI-MATERIAL_GROUP
-1,1
-2,1
-*PART
-water
-1,1,1,1
-*PART
-empty
-2,1,2
-*SECTION_SOLID
-1,11
-*MAT_NULL
-1,1000,-1e4
-*EOS_LINEAR_POLYNOMIAL
-1,0,4e5
-
-*MAT_VACUUM
-2,0
-*INITIAL_VOLUME_FRACTION_GEOMETRY
+text += f"""{water_and_void(4e5)}*INITIAL_VOLUME_FRACTION_GEOMETRY
 10,1,2,3
 5,0,1
 0,0,0,1,1,{level}
 5,0,2
 {low},{low},{start},{low + side},{low + side},1
-*PART
-box
-20,20,20
-*SECTION_SHELL
-20,2
-0.01,0.01,0.01,0.01
-*MAT_RIGID
-20,1500,2e11,0.3
-1,4,7
-
-*CONSTRAINED_LAGRANGE_IN_SOLID
-20,10,1,1,{coupling}
-*LOAD_BODY_Z
-1,9.81
-*DEFINE_CURVE
-1
-0,1
-1e9,1
-*CONTROL_ALE
--1,1,2,-1
-,,,,,2
-*CONTROL_TERMINATION
-{end}
-*CONTROL_TIMESTEP
-0,0.67
-*DATABASE_HISTORY_NODE
-100000
-*DATABASE_NODOUT
-0.01
-*NODE
+{rigid_box(1500, coupling)}{under_gravity(end, 0.01)}*NODE
 {''.join(nodes for nodes, _ in parts)}*ELEMENT_SHELL
 {''.join(shells for _, shells in parts)}*END
 """
-with tempfile.TemporaryDirectory() as folder:
-    path = pathlib.Path(folder)
-    (path / "deck.k").write_text(text)
-    subprocess.run([plash, "run", path / "deck.k", "-o", path / "out", "-j", "1"], check=True,
-                   stdout=subprocess.DEVNULL)
-    heights, time = [], 0.0
-    for line in (path / "out" / "nodout").read_text().splitlines():
-        if "at time" in line:
-            time = float(line.split("at time")[1].split(")")[0])
-        words = line.split()
-        if words and words[0] == "100000" and len(line) > 150:  # displacements to coordinates; z is the last
-            heights.append((time, float(line[10 + 12 * 11:10 + 12 * 12])))
+heights = [(time, start + way) for time, way in zip(*way_along_z(text))]
 late = [height for when, height in heights if when > 2 * end / 3]
 floor = sum(late) / len(late)
 area = 0.16 - side * side

@@ -392,8 +392,8 @@ Afloat float_elastic_box(int cells)
 
 } // namespace
 
-// Measured 0.017 cells of 50 mm too deep, the floor bent inwards by 3.2 mm, balance 9e-6. Without what the bent
-// sides leave out it would be 0.050 cells.
+// Measured 0.017 cells of 50 mm too deep, the floor bent inwards by 3.2 mm, balance 9e-6. Without what the
+// bent sides leave out it would be 0.050 cells.
 TEST(AleCutCells, ElasticBoxFloatsAtItsDraught)
 {
     const Threads one(1);

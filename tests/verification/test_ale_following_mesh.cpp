@@ -1,5 +1,6 @@
 #include "ale/hex/hex_fluid.h"
 #include "tests/support/ale_deck.h"
+#include "tests/support/restarted_run.h"
 
 #include <gtest/gtest.h>
 
@@ -357,8 +358,6 @@ TEST(AleFollowingMesh, LostCellEndsTheRunInOrder)
         << outcome.message;
 }
 
-// A run that goes on from a restart file has the bits of the whole run, also where nodes go back to where
-// they stood at the start of the first.
 TEST(AleFollowingMesh, SaysThatOnlyDelayedMeshesGoBack)
 {
     const auto notices_with = [](int type, double back) {
@@ -375,6 +374,8 @@ TEST(AleFollowingMesh, SaysThatOnlyDelayedMeshesGoBack)
     EXPECT_EQ(notices_with(8, 0.5).find("has no effect"), std::string::npos);
 }
 
+// A run that goes on from a restart file has the bits of the whole run, also where nodes go back to where
+// they stood at the start of the first.
 TEST(AleFollowingMesh, RestartGoesOnWithTheSameBits)
 {
     for (const int type : {2, 8}) {
@@ -384,21 +385,7 @@ TEST(AleFollowingMesh, RestartGoesOnWithTheSameBits)
                                  "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n6,0,1,3,-2,1\n0,0,0,0.7\n" +
                                  follows(type, type == 8 ? 0.1 : 0) + smoothing("0.2,0.1,0.1,0.3", 0.05) +
                                  "*DATABASE_BINARY_D3DUMP\n3\n*END\n";
-        const testing::TemporaryFolder folder;
-        RunOptions whole, rest;
-        whole.restart.directory = folder.path().string();
-        rest.restart_from = folder / "d3dump01";
-        Recorders recorders;
-        EulerianRun first(deck), second(deck);
-        ASSERT_EQ(plash::run(first.scene(), recorders, whole).termination, Outcome::Termination::normal);
-        const Outcome outcome = plash::run(second.scene(), recorders, rest);
-        ASSERT_EQ(outcome.termination, Outcome::Termination::normal);
-        EXPECT_GT(outcome.clock.cycle, 5); // from 3 on
-        const HexFluid &one = first.term<EulerianFluid>().hexahedra(),
-                       &two = second.term<EulerianFluid>().hexahedra();
-        EXPECT_EQ(one.fields.velocity[0], two.fields.velocity[0]);
-        for (std::size_t node = 0; node < one.node_count(); ++node)
-            ASSERT_EQ(norm(one.mesh.position[node] - two.mesh.position[node]), 0);
+        testing::RestartedRun(deck).expect_same_fluid();
     }
 }
 

@@ -1,6 +1,7 @@
 #include "ale/hex/hex_fluid.h"
 #include "ale/tracers.h"
 #include "tests/support/ale_deck.h"
+#include "tests/support/restarted_run.h"
 
 #include <gtest/gtest.h>
 
@@ -172,26 +173,12 @@ TEST(AleMovingMesh, RestartGoesOnWithTheSameBits)
                              "*DATABASE_TRACER\n0,0,0.1,0.2,0.3\n*DATABASE_TRHIST\n0.01\n"
                              "*DATABASE_BINARY_D3DUMP\n3\n"
                              "*CONTROL_ALE\n-1,1,2,-1\n*CONTROL_TERMINATION\n0.05\n*END\n";
-    const testing::TemporaryFolder folder;
-    RunOptions whole, rest;
-    whole.restart.directory = folder.path().string();
-    rest.restart_from = folder / "d3dump01";
-    Recorders recorders;
-    EulerianRun first(deck), second(deck);
-    ASSERT_EQ(plash::run(first.scene(), recorders, whole).termination, Outcome::Termination::normal);
-    const Outcome outcome = plash::run(second.scene(), recorders, rest);
-    ASSERT_EQ(outcome.termination, Outcome::Termination::normal);
-    EXPECT_GT(outcome.clock.cycle, 5); // from 3 on
-    const auto& one = dynamic_cast<const HexFluid&>(first.term<EulerianFluid>().fluid());
-    const auto& two = dynamic_cast<const HexFluid&>(second.term<EulerianFluid>().fluid());
-    EXPECT_EQ(one.fields.velocity[0], two.fields.velocity[0]);
-    EXPECT_EQ(one.fields.groups[0].mass, two.fields.groups[0].mass);
-    for (std::size_t node = 0; node < one.node_count(); ++node)
-        ASSERT_EQ(norm(one.mesh.position[node] - two.mesh.position[node]), 0);
+    testing::RestartedRun runs(deck);
+    runs.expect_same_fluid();
     ElementResults states[2];
     for (int run = 0; run < 2; ++run) {
         states[run].tracers_wanted = true;
-        EulerianRun& its = run == 0 ? first : second;
+        EulerianRun& its = run == 0 ? runs.whole : runs.rest;
         its.term<Tracers>().collect(its.scene().state, states[run]);
     }
     EXPECT_EQ(norm(states[0].tracers[0].place - states[1].tracers[0].place), 0);
