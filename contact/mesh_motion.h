@@ -40,6 +40,9 @@ struct ContactMotion {
     double last_step = 0;  ///< [time]
     double step_range = 0; ///< bound of the relative motion of any two nodes in the last step [length]
     double travelled = 0;  ///< sum of step_range over all steps: bound of every relative path [length]
+    /// Nodes whose velocities are bounded together, in the mesh's order.
+    static constexpr std::size_t block_length = 64;
+    std::vector<Bounds> block_range; ///< of the velocities, by block
 
     /// Takes positions and velocities from the State, and calls also(begin, end) while a chunk of them is at
     /// hand.
@@ -55,27 +58,34 @@ struct ContactMotion {
             velocity.own().resize(count);
         }
         last_step = clock.last_step;
-        std::vector<Bounds> partial((count + chunk_length - 1) / chunk_length);
+        block_range.resize((count + block_length - 1) / block_length);
         for_chunks(count, [&](std::size_t begin, std::size_t end) {
             if (mesh.first_node == none) copy(mesh, state, begin, end);
-            Bounds range;
-            const Vec3* speed = velocity.data();
-            for (std::size_t i = begin; i < end; ++i) range.add(speed[i]);
-            partial[begin / chunk_length] = range;
+            bound_velocities(begin, end);
             also(begin, end);
         });
-        travel(partial);
+        travel();
     }
     void load(const ContactMesh& mesh, const Clock& clock, const State& state)
     {
         load(mesh, clock, state, [](std::size_t, std::size_t) {});
     }
 
+    /// Takes positions and velocities as they stand, over a step that has led to them.
+    void follow(double step)
+    {
+        last_step = step;
+        block_range.resize((velocity.size() + block_length - 1) / block_length);
+        bound_velocities(0, velocity.size());
+        travel();
+    }
+
     Vec3 previous(Index node) const { return position[node] - last_step * velocity[node]; }
 
 private:
     void copy(const ContactMesh& mesh, const State& state, std::size_t begin, std::size_t end);
-    void travel(const std::vector<Bounds>& partial);
+    void bound_velocities(std::size_t begin, std::size_t end);
+    void travel();
 };
 
 } // namespace plash

@@ -31,6 +31,7 @@ void PairSearch::update(const ContactMesh& mesh, const ContactMotion& motion,
                         const std::vector<std::uint8_t>* only)
 {
     if (!holds(motion)) search(mesh, motion, only);
+    pairs_.paths.advance(motion);
 }
 
 bool PairSearch::holds(const ContactMotion& motion)
@@ -129,6 +130,7 @@ void PairSearch::search(const ContactMesh& mesh, const ContactMotion& motion,
                         const std::vector<std::uint8_t>* only)
 {
     ++searches_;
+    of_all_ = only == nullptr;
     const NodeVectors& position = motion.position;
     searched_at_.assign(position.begin(), position.end());
     test_due_ = motion.travelled + margin_;
@@ -151,7 +153,33 @@ void PairSearch::search(const ContactMesh& mesh, const ContactMotion& motion,
         search_nodes(mesh, position, margin, begin, end, only, found[begin / chunk_length]);
     });
     sort_by_node(position.size(), found);
+    set_owners(mesh);
+}
+
+void PairSearch::narrow(const ContactMesh& mesh, const std::vector<std::uint8_t>& only)
+{
+    if (!of_all_) {
+        forget();
+        return;
+    }
+    std::size_t kept = 0;
+    for (std::size_t pair = 0; pair < pairs_.node.size(); ++pair) {
+        if (!only[pairs_.node[pair]]) continue;
+        pairs_.node[kept] = pairs_.node[pair];
+        pairs_.facet[kept++] = pairs_.facet[pair];
+    }
+    pairs_.node.resize(kept);
+    pairs_.facet.resize(kept);
+    pairs_.node.shrink_to_fit();
+    pairs_.facet.shrink_to_fit();
+    of_all_ = false;
+    set_owners(mesh);
+}
+
+void PairSearch::set_owners(const ContactMesh& mesh)
+{
     pairs_.set_owners();
+    pairs_.paths.set(mesh, pairs_.owner, pairs_.begin, pairs_.facet);
 }
 
 void PairList::set_owners()

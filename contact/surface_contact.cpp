@@ -350,8 +350,8 @@ void SurfaceContact::add_forces(const Clock& clock, State& state)
     if (facing_) {
         const long searches = facing_->searches();
         energy_.friction += facing_->find(motion_, soft_step_);
-        if (facing_->searches() != searches) search_.forget(); // other nodes may be sharp
         nodes = &facing_->sharp_nodes();
+        if (facing_->searches() != searches) search_.narrow(mesh_, *nodes); // other nodes may be sharp
     }
     search_.update(mesh_, motion_, nodes);
     find_touches();
@@ -514,15 +514,11 @@ void SurfaceContact::add_rigid_votes()
     }
 }
 
-/// The first cycle goes on with the pairs that are found here, unless segments press on segments, which leave
-/// it few nodes to look at.
+/// The first cycle goes on with the pairs that are found here; where segments press on segments, with those
+/// of the few nodes that are left to look at.
 std::vector<std::string> SurfaceContact::notices(const State& state) const
 {
     if (contact_.birth > 0) return {};
-    if (facing_) {
-        PairSearch of_all_nodes = search_;
-        return describe(initial_penetrations(contact_, mesh_, of_all_nodes, state), contact_, mesh_, model_);
-    }
     return describe(initial_penetrations(contact_, mesh_, search_, state), contact_, mesh_, model_);
 }
 

@@ -52,12 +52,12 @@ int TouchFinder::same_sense(Index facet, Index other) const
 void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, TouchTable& table,
                        Room& room) const
 {
-    const double now = motion_.travelled + motion_.step_range;
     collect_near(pairs, begin, end, table, room);
     const std::span<const Near> near = room.near;
     std::vector<Touch>& touches = room.touches;
     std::size_t i = 0;
     for (std::size_t owner = begin; owner < end; ++owner) {
+        const double now = pairs.paths.now(owner);
         const bool quiet = pairs.quiet[owner] > now;
         if (quiet) {
             table.set_followed(owner, true);
@@ -127,7 +127,8 @@ double TouchFinder::wait_for_sheet(const Near& near, double gap, const TouchTabl
 
 /// The same for a solid: in front of its face within the thickness, behind it as deep as nodes are held that
 /// touch something (from which side, touch_of() sees), or as those lie that have just come in.
-double TouchFinder::wait_for_solid(const Near& near, double gap, bool touches) const
+/// step  path within which the pair is looked at anyway
+double TouchFinder::wait_for_solid(const Near& near, double gap, bool touches, double step) const
 {
     const Facet& facet = mesh_.facets[near.facet];
     const double inside = (touches || motion_.last_step == 0 ? 1 : entry) * facet.depth;
@@ -136,14 +137,16 @@ double TouchFinder::wait_for_solid(const Near& near, double gap, bool touches) c
     if (near.feature == 0) return over;
     const double beside =
         norm(near.offset - distance * near.normal) - std::max(0.0, overhang * facet.size - gap);
-    return std::min(std::max(beside, over), std::sqrt(near.distance2) - std::max(gap, inside));
+    const double face = std::max(beside, over), rim = std::sqrt(near.distance2) - std::max(gap, inside);
+    if (rim > step || face <= step) return std::min(face, rim);
+    return std::min(face, std::max(rim, wait_at_rim(near, gap)));
 }
 
 /// Puts the pairs of an owner first that will be due within the next cycles.
 void TouchFinder::sort_pairs(PairList& pairs, std::size_t owner) const
 {
     constexpr double cycles = 20;
-    const double soon = motion_.travelled + cycles * motion_.step_range;
+    const double soon = pairs.paths.travelled(owner) + cycles * pairs.paths.step_range(owner);
     Index next = pairs.begin[owner];
     double others = std::numeric_limits<double>::infinity();
     for (Index pair = next; pair < pairs.begin[owner + 1]; ++pair) {
@@ -164,11 +167,11 @@ void TouchFinder::sort_pairs(PairList& pairs, std::size_t owner) const
 void TouchFinder::collect_near(PairList& pairs, std::size_t begin, std::size_t end, const TouchTable& table,
                                Room& room) const
 {
-    const double now = motion_.travelled + motion_.step_range;
     std::vector<Due>& due = room.due;
     due.clear();
     room.near.clear();
     for (std::size_t owner = begin; owner < end; ++owner) {
+        const double now = pairs.paths.now(owner);
         if (pairs.quiet[owner] > now) continue;
         if (pairs.others_due[owner] <= now) sort_pairs(pairs, owner);
         for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner] + pairs.close[owner]; ++pair)
@@ -231,10 +234,11 @@ void TouchFinder::measure(PairList& pairs, std::span<const Due> batch, const Tou
                  at(normal, lane)};
         const Facet& facet = mesh_.facets[one.facet];
         const double gap = mesh_.nodes[one.node].half_thickness + facet.half_thickness;
-        const double wait = facet.one_sided ? wait_for_solid(one, gap, table.count(owner) > 0)
+        const double step = pairs.paths.step_range(owner);
+        const double wait = facet.one_sided ? wait_for_solid(one, gap, table.count(owner) > 0, step)
                                             : wait_for_sheet(one, gap, table, owner);
-        pairs.due[pair] = motion_.travelled + wait;
-        if (wait > motion_.step_range) continue;
+        pairs.due[pair] = pairs.paths.travelled(owner) + wait;
+        if (wait > step) continue;
         one.over = facet.one_sided && in_front(one, gap);
         near.push_back(one);
     }

@@ -77,7 +77,12 @@ private:
                     std::span<const Touch> touches) const;
     double wait_for_sheet(const Near& near, double gap, const TouchTable& table, std::size_t owner) const;
     bool in_front(const Near& near, double gap) const;
-    double wait_for_solid(const Near& near, double gap, bool touches) const;
+    double wait_for_solid(const Near& near, double gap, bool touches, double step) const;
+    struct Rim;
+    double wait_at_rim(const Near& near, double gap) const;
+    double wait_at_edge(const Near& near, int side, double slide) const;
+    double wait_at_corner(const Near& near, int corner, double slide) const;
+    double wait_in_front(const Rim& rim, std::span<const Index> around) const;
     void measure(PairList& pairs, std::span<const Due> batch, const TouchTable& table,
                  std::vector<Near>& near) const;
     /// order  room that is used again from node to node

@@ -67,20 +67,24 @@ bool TouchFinder::holds_off(const Touch& touch, const Near& near) const
 double TouchFinder::quiet_until(const PairList& pairs, std::size_t owner, std::span<const Near> near,
                                 std::span<const Touch> touches) const
 {
-    const double now = motion_.travelled + motion_.step_range;
+    const auto touch_with = [&](const Near& one) {
+        return std::find_if(touches.begin(), touches.end(),
+                            [&](const Touch& touch) { return touch.facet == one.facet; });
+    };
+    for (const Near& one : near) {
+        const bool held = std::any_of(touches.begin(), touches.end(),
+                                      [&](const Touch& other) { return holds_off(other, one); });
+        if (!held && touch_with(one) == touches.end()) return 0;
+    }
+    const double now = pairs.paths.now(owner);
     double until = pairs.others_due[owner];
     for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner] + pairs.close[owner]; ++pair)
         if (pairs.due[pair] > now) until = std::min(until, pairs.due[pair]);
     for (const Near& one : near) {
-        const auto own = [&](const Touch& touch) { return touch.facet == one.facet; };
-        const auto touch = std::find_if(touches.begin(), touches.end(), own);
-        if (touch != touches.end()) {
-            until = std::min(until, motion_.travelled + room_of(*touch, one.feature));
-            continue;
-        }
-        if (std::none_of(touches.begin(), touches.end(),
-                         [&](const Touch& other) { return holds_off(other, one); }))
-            return 0;
+        if (until <= now) break;
+        const auto touch = touch_with(one);
+        if (touch != touches.end())
+            until = std::min(until, pairs.paths.travelled(owner) + room_of(*touch, one.feature));
     }
     return until;
 }
