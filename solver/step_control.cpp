@@ -27,8 +27,12 @@ void StepControl::choose(Clock& clock, const std::vector<std::unique_ptr<Term>>&
     double step = scale * stable_;
     // Masses are scaled once: where elements, or contacts, ask for less later on, the step follows them.
     if (control.mass_scaled_step > 0) step = std::min(step, scale * control.mass_scaled_step);
+    const NamedCurve* limit = nullptr; // where it is that of LCTM
     if (control.largest_step_curve != none) {
-        step = std::min(step, model_.curves[control.largest_step_curve].curve(clock.time));
+        const NamedCurve& curve = model_.curves[control.largest_step_curve];
+        const double largest = curve.curve(clock.time);
+        if (largest < step) limit = &curve;
+        step = std::min(step, largest);
     }
     if (clock.cycle == 0 && control.initial_step > 0) step = std::min(step, control.initial_step);
     if (!std::isfinite(step)) {
@@ -38,6 +42,14 @@ void StepControl::choose(Clock& clock, const std::vector<std::unique_ptr<Term>>&
                            "then, or a curve of steps as LCTM of *CONTROL_TIMESTEP");
         }
         step = control.end_time / 1000;
+    }
+    if (!(step > 0) && limit) {
+        const Location& where = limit->where;
+        throw RunError(fmt::format("{}:{}: curve {}, LCTM of *CONTROL_TIMESTEP, lets the step be {:g} at t = "
+                                   "{:g}; it must be above 0 "
+                                   "up to the end of the run",
+                                   where.file == none ? "" : model_.files[where.file], where.line, limit->id,
+                                   step, clock.time));
     }
     if (!(step > 0)) {
         throw RunError(fmt::format("the stable step is {} ({} {} of part {})", owner_.step, owner_.kind,

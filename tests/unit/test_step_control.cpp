@@ -91,4 +91,32 @@ TEST(StepControl, WithoutVotesTheEndTimeGivesTheStep)
     }
 }
 
+/// LCTM that comes to zero ends the run and is named with its curve, file and line.
+TEST(StepControl, CurveOfLargestStepsAtZeroIsNamed)
+{
+    Model model;
+    model.files = {"steps.k"};
+    NamedCurve curve;
+    curve.id = 7;
+    curve.where = {0, 12};
+    curve.curve = Curve{{0, 1}, {0.5, 0}};
+    model.curves.push_back(curve);
+    model.controls.time.largest_step_curve = 0;
+    std::vector<std::unique_ptr<Term>> terms;
+    terms.push_back(std::make_unique<Voter>());
+    StepControl control(model);
+    Clock clock;
+    control.choose(clock, terms);
+    EXPECT_EQ(clock.step, 0.5);
+    clock.time = 1;
+    try {
+        control.choose(clock, terms);
+        FAIL() << "a step of zero";
+    } catch (const RunError& error) {
+        EXPECT_NE(std::string(error.what()).find("steps.k:12: curve 7, LCTM of *CONTROL_TIMESTEP"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 } // namespace plash
