@@ -29,18 +29,52 @@ std::string velocity_of_part(int part, const Vec3& v)
     return fmt::format("*INITIAL_VELOCITY_GENERATION\n{},2,0.0,{},{},{}\n0,0,0,0,0,0\n", part, v.x, v.y, v.z);
 }
 
-std::string single_surface(int soft)
+/// Which contact acts: its family, where it is not the plain automatic one, and SOFT (penalty, soft
+/// constraint, segments on segments).
+struct Variant {
+    enum Family { plain, general, eroding, one_for_all };
+    Family family = plain;
+    int soft = 0;
+};
+
+std::string name_of(const Variant& variant)
 {
-    return fmt::format("*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n1,all\n0\n\n\n{}\n", soft);
+    constexpr const char* families[] = {"", "General", "Eroding", "OneForAll"};
+    return fmt::format("{}{}", families[variant.family], variant.soft);
 }
 
-std::string two_surfaces(int soft, int slave = 1, int master = 2)
+std::string single_surface(const Variant& variant, const std::string& friction = "")
 {
-    return fmt::format("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n{},{},3,3\n\n\n{}\n", slave, master, soft);
+    switch (variant.family) {
+    case Variant::general:
+        return fmt::format("*CONTACT_AUTOMATIC_GENERAL_ID\n1,all\n0\n{}\n\n{}\n", friction, variant.soft);
+    case Variant::eroding:
+        return fmt::format("*CONTACT_ERODING_SINGLE_SURFACE_ID\n1,all\n0\n{}\n\n0,1,1\n{}\n", friction,
+                           variant.soft);
+    default:
+        return fmt::format("*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n1,all\n0\n{}\n\n{}\n", friction,
+                           variant.soft);
+    }
 }
 
-/// By SOFT: penalty, soft constraint, segments on segments.
-class ContactStability : public ::testing::TestWithParam<int> {};
+/// Of the families that know one surface only: that of all parts.
+std::string two_surfaces(const Variant& variant, int slave = 1, int master = 2,
+                         const std::string& friction = "")
+{
+    switch (variant.family) {
+    case Variant::general:
+    case Variant::one_for_all:
+        return single_surface(variant, friction);
+    case Variant::eroding:
+        return fmt::format("*CONTACT_ERODING_SURFACE_TO_SURFACE\n{},{},3,3\n{}\n\n0,1,1\n{}\n", slave, master,
+                           friction, variant.soft);
+    default:
+        return fmt::format("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n{},{},3,3\n{}\n\n{}\n", slave, master,
+                           friction, variant.soft);
+    }
+}
+
+class ContactStability : public ::testing::TestWithParam<Variant> {};
 
 /// The run ends in balance and nothing flies off faster than `fastest`.
 void expect_calm(DeckRun& run, double fastest, double balance = 0.02)
@@ -67,6 +101,24 @@ TEST_P(ContactStability, ShellsThatCrossAtTheStartDoNotExplode)
     DeckRun run(deck.text);
     // A node that was freed from its depth of 0.5 by full penalty would leave with metres a second.
     expect_calm(run, 500);
+}
+
+/// A solid that stands in another, and sheets that cross at their very nodes.
+TEST_P(ContactStability, BodiesThatOverlapAtTheStartDoNotExplode)
+{
+    for (const bool solid : {true, false}) {
+        DeckText deck = two_parts(2e-4, solid ? 0 : 1, solid ? 0 : 1);
+        if (solid) {
+            deck.block(1, {0, 0, 0}, {20, 20, 10}, 4, 4, 2);
+            deck.block(2, {6, 7, 7.5}, {14, 15, 17.5}, 3, 3, 3);
+        } else {
+            deck.sheet(1, {0, 0, 0}, {50, 0, 0}, {0, 50, 0}, 10, 10);
+            deck.sheet(2, {0, 25, -25}, {50, 0, 0}, {0, 0, 50}, 10, 10);
+        }
+        deck.text += single_surface(GetParam());
+        DeckRun run(deck.text);
+        expect_calm(run, 500);
+    }
 }
 
 /// They cross and move against one another at 20 m/s: still in balance.
@@ -137,6 +189,51 @@ TEST_P(ContactStability, CornerBetweenThreeSurfacesIsHeldAndReleased)
     EXPECT_GT(least, 0) << "the corner stayed inside of all three walls";
     const Vec3& v = run.scene->state.velocity[corner];
     EXPECT_GT(v.x + v.y + v.z, 0) << "it is on its way out";
+}
+
+/// A ball between three solid walls, whose inner edges are convex to none of them.
+TEST_P(ContactStability, BallBetweenThreeSolidWallsComesBack)
+{
+    DeckText deck = two_parts(1.5e-3, 0, 0);
+    deck.block(2, {-10, -10, -10}, {30, 30, 0}, 8, 8, 2);
+    deck.block(2, {-10, -10, 0}, {0, 30, 30}, 2, 8, 6);
+    const int walls = deck.block(2, {0, -10, 0}, {30, 0, 30}, 6, 2, 6) + 7 * 3 * 7;
+    deck.text += fmt::format("*SET_NODE_LIST_GENERATE\n1\n1,{}\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n", walls - 1);
+    const int first = deck.ball(1, {7, 7, 7}, 5, 4);
+    deck.text += two_surfaces(GetParam()) + velocity_of_part(1, {-1e4, -1e4, -1e4});
+    DeckRun run(deck.text);
+    double least = 1e9;
+    run.watch([&](const Clock&, const State& state) {
+        for (int i = 0; i < 125; ++i) {
+            const Vec3& x = state.position[run.node(first + i)];
+            least = std::min({least, x.x, x.y, x.z});
+        }
+    });
+    expect_calm(run, 1e5);
+    EXPECT_GT(least, -0.5) << "a tenth of the walls' elements";
+    const Vec3& v = run.scene->state.velocity[run.node(first + 62)];
+    EXPECT_GT(v.x + v.y + v.z, 0) << "it is on its way out";
+}
+
+/// Two sheets of one mesh slide on one another, node over node, pressed by their weight: frictionless, they
+/// keep their speed.
+TEST_P(ContactStability, SheetsOfOneMeshSlide)
+{
+    DeckText deck = two_parts(1e-3, 1, 1);
+    deck.sheet(2, {0, 0, 0}, {60, 0, 0}, {0, 20, 0}, 24, 8);
+    const int first = deck.sheet(1, {5, 5, 1}, {25, 0, 0}, {0, 10, 0}, 10, 4);
+    deck.text += "*SET_NODE_LIST_GENERATE\n1\n1,225\n*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n"
+                 "*LOAD_BODY_Z\n1,1.0\n*DEFINE_CURVE\n1\n0.0,9.81e4\n1.0,9.81e4\n" +
+                 two_surfaces(GetParam()) + velocity_of_part(1, {2e4, 0, 0});
+    DeckRun run(deck.text);
+    expect_calm(run, 5e4, 0.005);
+    double speed = 0, height = 0;
+    for (int i = 0; i < 55; ++i) {
+        speed += run.scene->state.velocity[run.node(first + i)].x / 55;
+        height += (run.scene->state.position[run.node(first + i)].z - 1) / 55;
+    }
+    EXPECT_NEAR(speed, 2e4, 0.005 * 2e4) << "nothing caught";
+    EXPECT_NEAR(height, 0, 0.1);
 }
 
 /// Elements of 10 against elements of 1: momentum passes, no node of either side slips through.
@@ -211,8 +308,7 @@ TEST_P(ContactStability, PressedBlocksNeitherDriftNorGainEnergy)
     deck.text += "*SET_NODE_LIST_GENERATE\n1\n1,25\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
                  "*DEFINE_CURVE\n1\n0.0,0.0\n4.0e-4,-100.0\n1.0,-100.0\n*LOAD_NODE_SET\n2,3,1,1.0\n";
     deck.text += fmt::format("*SET_NODE_LIST_GENERATE\n2\n{},{}\n", upper + 32, upper + 47);
-    deck.text += fmt::format("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n0.1,0.1,0.0,0.0,20.0\n\n{}\n",
-                             GetParam());
+    deck.text += two_surfaces(GetParam(), 1, 2, "0.1,0.1,0.0,0.0,20.0");
     DeckRun run(deck.text);
     ASSERT_TRUE(run.scene);
     std::vector<Vec3> place;
@@ -241,8 +337,14 @@ TEST_P(ContactStability, PressedBlocksNeitherDriftNorGainEnergy)
     EXPECT_LT(run.scene->ledger.balance_error(), 0.005);
 }
 
-INSTANTIATE_TEST_SUITE_P(Soft, ContactStability, ::testing::Values(0, 1, 2),
-                         [](const auto& soft) { return fmt::format("{}", soft.param); });
+INSTANTIATE_TEST_SUITE_P(Soft, ContactStability,
+                         ::testing::Values(Variant{Variant::plain, 0}, Variant{Variant::plain, 1},
+                                           Variant{Variant::plain, 2}, Variant{Variant::general, 0},
+                                           Variant{Variant::general, 1}, Variant{Variant::eroding, 0},
+                                           Variant{Variant::eroding, 1}, Variant{Variant::eroding, 2},
+                                           Variant{Variant::one_for_all, 0}, Variant{Variant::one_for_all, 1},
+                                           Variant{Variant::one_for_all, 2}),
+                         [](const auto& info) { return name_of(info.param); });
 
 /// A ball bounces and rolls in a closed box of shells for 1e5 cycles and never gets out. The box is rigid and
 /// fixed; friction makes the ball roll and slowly stop.
