@@ -61,6 +61,7 @@ struct ContactDefaults {
     bool keep_eroded_nodes = false;
     bool limit_thickness = true;
     bool square_edges = false;
+    bool one_way_erosion = false; ///< NSEROD
     bool drop_symmetry_faces = false, friction_energy = false, stiffness_of_nodes = false;
     PartContact of_parts; ///< what parts have that *PART_CONTACT says nothing of
 };

@@ -278,6 +278,7 @@ void read_contact_control(const Record& record, const Block&, Reading& reading)
     defaults.limit_thickness = record.integer("SSTHK") == 0;
     defaults.initial_penetration = static_cast<int>(record.integer("IGNORE"));
     defaults.square_edges = record.integer("SHLEDG") == 1;
+    defaults.one_way_erosion = record.integer("NSEROD") == 1;
     defaults.of_parts.static_friction = record.real("SFRIC");
     defaults.of_parts.dynamic_friction = record.real("DFRIC");
     defaults.of_parts.friction_decay = record.real("EDC");
@@ -356,6 +357,10 @@ void finish_contacts(Reading& reading)
         contact.keep_eroded_nodes = defaults.keep_eroded_nodes;
         contact.limit_thickness = defaults.limit_thickness;
         contact.square_edges = contact.square_edges || defaults.square_edges;
+        // A node set has no segments to be touched.
+        if (contact.keyword == "CONTACT_ERODING_NODES_TO_SURFACE" && !defaults.one_way_erosion &&
+            contact.slave.kind != ContactSide::Kind::nodes)
+            contact.kind = Contact::Kind::two_way;
         // Automatic contacts always count the thickness of shells.
         if (contact.automatic)
             contact.thickness_option = 2;

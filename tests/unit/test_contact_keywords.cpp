@@ -182,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(
         Keyword{"CONTACT_NODES_TO_SURFACE", K::one_way},
         Keyword{"CONTACT_CONSTRAINT_NODES_TO_SURFACE", K::one_way, M::none, "0.0\n"},
         Keyword{"CONTACT_ERODING_SINGLE_SURFACE", K::single_surface, M::none, "0,1,1\n"},
-        Keyword{"CONTACT_ERODING_NODES_TO_SURFACE", K::one_way, M::none, "0,1,1\n"},
+        Keyword{"CONTACT_ERODING_NODES_TO_SURFACE", K::two_way, M::none, "0,1,1\n"},
         Keyword{"CONTACT_ERODING_SURFACE_TO_SURFACE", K::two_way, M::none, "0,1,1\n"},
         Keyword{"CONTACT_TIED_NODES_TO_SURFACE", K::tied, M::constrained},
         Keyword{"CONTACT_TIED_NODES_TO_SURFACE_OFFSET", K::tied, M::penalty},
@@ -214,6 +214,21 @@ TEST(ContactKeyword, TiebreakOptionThatIsNotThere)
     EXPECT_EQ(result.report.errors[0].field, "OPTION");
     EXPECT_NE(result.report.errors[0].text.find("9 is not supported; 1, 2, 3, 4, 6 and 8 are"),
               std::string::npos);
+}
+
+/// NSEROD = 0: the eroding contact of nodes with a surface acts both ways where the nodes are those of a
+/// surface; 1: nodes on segments alone.
+TEST(ContactControl, ErodingNodesActBothWays)
+{
+    const std::string eroding = "*CONTACT_ERODING_NODES_TO_SURFACE\n1,2,3,3\n0\n0\n0,1,1\n";
+    EXPECT_EQ(read_text(eroding).model.contacts.at(0).kind, Contact::Kind::two_way);
+    const std::string control = "*CONTROL_CONTACT\n0.1\n\n\n\n0,1\n";
+    const ReadResult one_way = read_text(control + eroding);
+    EXPECT_EQ(one_way.model.contacts.at(0).kind, Contact::Kind::one_way);
+    for (const IgnoredField& one : one_way.report.ignored) EXPECT_NE(one.field, "NSEROD");
+    const std::string nodes =
+        "*SET_NODE_LIST\n5\n1\n*CONTACT_ERODING_NODES_TO_SURFACE\n5,2,4,3\n0\n0\n0,1,1\n";
+    EXPECT_EQ(read_text(nodes).model.contacts.at(0).kind, Contact::Kind::one_way);
 }
 
 /// SOFT = 2 looks at edges where DEPTH says so.

@@ -89,6 +89,34 @@ TEST(ErodingContact, BallGoesThroughAPlate)
     EXPECT_LT(run.scene->ledger.balance_error(), 0.02);
 }
 
+/// A cube strikes the middle of one wide solid, whose nodes are far from it. Its own nodes are those of the
+/// second surface: with NSEROD = 0 they act as well and the cube turns back, with 1 it goes through.
+TEST(ErodingContact, NodesToSurfaceActsBothWaysUnlessNserodSaysOneWay)
+{
+    for (const int one_way : {0, 1}) {
+        DeckText deck;
+        deck.text += fmt::format("*CONTROL_CONTACT\n0.1\n\n\n\n0,{}\n", one_way);
+        deck.text += "*CONTROL_TERMINATION\n4.0e-4\n*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n";
+        deck.part(1, 1, 1);
+        deck.part(2, 1, 1);
+        deck.block(1, {-10, -10, 0}, {10, 10, 10}, 1, 1, 1);
+        const int cube = deck.block(2, {-2, -2, 10.5}, {2, 2, 14.5}, 1, 1, 1);
+        deck.text += "*CONTACT_ERODING_NODES_TO_SURFACE\n1,2,3,3\n\n\n0,1\n"
+                     "*INITIAL_VELOCITY_GENERATION\n2,2,0.0,0.0,0.0,-5.0e3\n0,0,0,0,0,0\n";
+        DeckRun run(deck.text);
+        ASSERT_TRUE(run.scene);
+        run.go();
+        double speed = 0;
+        for (int i = 0; i < 8; ++i) speed += run.scene->state.velocity[run.node(cube + i)].z / 8;
+        if (one_way != 0) {
+            EXPECT_NEAR(speed, -5e3, 1e-6) << "no node of the wide solid meets a face of the cube";
+        } else {
+            EXPECT_GT(speed, 1e3) << "it has bounced off";
+        }
+        EXPECT_LT(run.scene->ledger.balance_error(), 0.02);
+    }
+}
+
 /// A soft brick is squeezed by a driven face to a twentieth of its height and let go: *CONTACT_INTERIOR
 /// resists below a tenth with E A / h SLSFAC PSF and gives its energy back.
 TEST(InteriorContact, ResistsBelowATenthOfTheHeight)
