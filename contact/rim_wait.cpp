@@ -14,6 +14,9 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// Share of a facet's shortest side that the closest point may slide while a wait at the rim lasts.
 constexpr double share_of_side = 0.5;
 
+/// Of distances, as a share of a facet's size.
+constexpr double round_off = 1e-9;
+
 /// Bound of the rate at which the offset of a node from the closest point of an edge changes with the path of
 /// the nodes relative to one another: the node and the edge's start go by that path, the edge's direction by
 /// its ratio to the length, over the length up to the point and over the distance. Taken with some room.
@@ -122,7 +125,9 @@ double TouchFinder::wait_at_rim(const Near& near, double gap) const
         shortest = std::min(shortest, norm(place((i + 1) % corners) - place(i)));
     if (shortest == 0) return 0;
     const double distance = std::sqrt(near.distance2), slide = share_of_side * shortest;
-    double wait = std::min(distance - gap, slide / rate_at_edge(distance, shortest));
+    // Nodes that stand at the thickness but for round-off may touch now.
+    double wait = distance - gap - round_off * facet.size;
+    wait = std::min(wait, slide / rate_at_edge(distance, shortest));
 
     // A triangle a b c c has its third side, c a, as number 3, and c as corner 2 and 3.
     const auto side_of = [&](int corner) { return triangle && corner == 2 ? 3 : corner; };

@@ -76,6 +76,11 @@ double TouchFinder::quiet_until(const PairList& pairs, std::size_t owner, std::s
                                       [&](const Touch& other) { return holds_off(other, one); });
         if (!held && touch_with(one) == touches.end()) return 0;
     }
+    const auto in_plane_of_any = [&](const Near& one) {
+        return std::any_of(touches.begin(), touches.end(), [&](const Touch& other) {
+            return std::abs(dot(other.normal, one.normal)) > nearly_flat;
+        });
+    };
     const double now = pairs.paths.now(owner);
     double until = pairs.others_due[owner];
     for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner] + pairs.close[owner]; ++pair)
@@ -83,8 +88,15 @@ double TouchFinder::quiet_until(const PairList& pairs, std::size_t owner, std::s
     for (const Near& one : near) {
         if (until <= now) break;
         const auto touch = touch_with(one);
-        if (touch != touches.end())
-            until = std::min(until, pairs.paths.travelled(owner) + room_of(*touch, one.feature));
+        double room = 0;
+        if (touch != touches.end()) {
+            room = room_of(*touch, one.feature);
+        } else if (in_plane_of_any(one)) {
+            continue;
+        } else { // it may come to be the deeper of the two
+            room = rim_path * (mesh_.half_thickness[one.node] + mesh_.facets[one.facet].half_thickness);
+        }
+        until = std::min(until, pairs.paths.travelled(owner) + room);
     }
     return until;
 }
