@@ -123,10 +123,8 @@ bool ParticleBody::lists_hold(const State& state) const
 {
     const ParticleArrays& a = arrays_;
     // Which copy of a particle in a periodic basin is the real one makes no difference, so the planes may run
-    // ahead of those of the last search: by half of the largest kernel radius, as who has come through comes
-    // in again as still water.
-    const double farthest = 0.5 * least_skin_ / (least_share * skin_);
-    if (images_.behind(state, model_.nodes.position) > farthest) return false;
+    // ahead of those of the last search: not by much, as who has come through comes in again as still water.
+    if (images_.behind(state, model_.nodes.position) > 10 * least_skin_) return false;
     if (inflows_.someone_passes(state)) return false;
     for (std::size_t i = 0; i < options_.regions.size(); ++i) {
         // Who is awake is looked up again when a region has gone a few particles further.
