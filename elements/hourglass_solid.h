@@ -16,6 +16,7 @@ struct SolidHourglass {
         viscous,        ///< IHQ 1 (plain base vectors), 2 and 3
         stiffness,      ///< IHQ 4 and 5: Flanagan & Belytschko (1981)
         assumed_strain, ///< IHQ 6: Belytschko & Bindeman (1993), ASQBI
+        total_strain,   ///< IHQ 7: the same for the whole displacement (elements/hourglass_total.h)
         assumed_rate,   ///< IHQ 6 of fluids: the same field, resisted by their viscosity
     };
     Form form = Form::viscous;
@@ -85,27 +86,33 @@ inline Tensor3<Lane> element_axes(const SolidModes<Lane>& position)
     return {first.x, first.y, first.z, second.x, second.y, second.z, third.x, third.y, third.z};
 }
 
-/// Force increments of the four modes over a step, by the assumed strain field of Belytschko & Bindeman
-/// (1993, ASQBI), which bends like an elastic beam when the coefficient is 1 and does not lock in shear or
-/// volume.
+/// Lengths of an element along its own axes, as sums over the corners: 8 times half the edge of a box.
 template <class Lane>
-inline HourglassVectors<Lane> assumed_strain_forces(const SolidHourglass& control,
-                                                    const SolidModes<Lane>& position,
-                                                    const HourglassVectors<Lane>& rate, double time_step)
+inline Vector3<Lane> modal_lengths(const SolidModes<Lane>& position, const Tensor3<Lane>& axes)
 {
-    const Tensor3<Lane> axes = element_axes(position);
     const auto& p = position.linear;
-    const Vector3<Lane> length{axes.xx * p[0].x + axes.xy * p[0].y + axes.xz * p[0].z,
-                               axes.yx * p[1].x + axes.yy * p[1].y + axes.yz * p[1].z,
-                               axes.zx * p[2].x + axes.zy * p[2].y + axes.zz * p[2].z};
-    // H_ii = 1/3 l_j l_k / l_i and H_ij = 1/3 l_k; 1/64 since rates are 8 times the mode's amplitude, twice.
-    const double scale = control.coefficient * control.shear_modulus * time_step / (64 * 3);
+    return {axes.xx * p[0].x + axes.xy * p[0].y + axes.xz * p[0].z,
+            axes.yx * p[1].x + axes.yy * p[1].y + axes.yz * p[1].z,
+            axes.zx * p[2].x + axes.zy * p[2].y + axes.zz * p[2].z};
+}
+
+/// Forces of the four modes by the assumed strain field of Belytschko & Bindeman (1993, ASQBI), which bends
+/// like an elastic beam when the coefficient is 1 and does not lock in shear or volume. axes    of the
+/// element length  of it along them (modal_lengths) way     what the modes have done [length], or their rates
+/// with `factor` the step
+template <class Lane>
+inline HourglassVectors<Lane> assumed_strain_stiffness(const SolidHourglass& control,
+                                                       const Tensor3<Lane>& axes, const Vector3<Lane>& length,
+                                                       const HourglassVectors<Lane>& way, double factor)
+{
+    // H_ii = 1/3 l_j l_k / l_i and H_ij = 1/3 l_k; 1/64 since ways are 8 times the mode's amplitude, twice.
+    const double scale = control.coefficient * control.shear_modulus * factor / (64 * 3);
     const double nu = control.poisson_ratio;
     const Vector3<Lane> off = broadcast<Lane>(scale) * length;
     const Lane product = off.x * length.y * length.z;
     const Vector3<Lane> diagonal{product / (length.x * length.x), product / (length.y * length.y),
                                  product / (length.z * length.z)};
-    const HourglassVectors<Lane> q = each_hourglass_mode([&](int mode) { return axes * rate[mode]; });
+    const HourglassVectors<Lane> q = each_hourglass_mode([&](int mode) { return axes * way[mode]; });
     const double bending = 2 / (1 - nu), warping = 2 * (1 + nu) / 3;
     const HourglassVectors<Lane> local{
         Vector3<Lane>{(diagonal.y + diagonal.z) * q[0].x + off.z * q[1].y + off.y * q[2].z,
@@ -120,6 +127,16 @@ inline HourglassVectors<Lane> assumed_strain_forces(const SolidHourglass& contro
         Vector3<Lane>{warping * diagonal.x * q[3].x, warping * diagonal.y * q[3].y,
                       warping * diagonal.z * q[3].z}};
     return each_hourglass_mode([&](int mode) { return transposed_times(axes, local[mode]); });
+}
+
+/// Force increments of the four modes over a step.
+template <class Lane>
+inline HourglassVectors<Lane> assumed_strain_forces(const SolidHourglass& control,
+                                                    const SolidModes<Lane>& position,
+                                                    const HourglassVectors<Lane>& rate, double time_step)
+{
+    const Tensor3<Lane> axes = element_axes(position);
+    return assumed_strain_stiffness(control, axes, modal_lengths(position, axes), rate, time_step);
 }
 
 /// What hourglass control needs to know of a batch.

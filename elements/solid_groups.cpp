@@ -108,20 +108,20 @@ void set_viscosities(const Model& model, const Part& part, SolidSetup& setup)
     }
     // Type 8 speaks of fully integrated shells, and fully integrated solids have no hourglass modes.
     if (setup.eight_points || (type == 8 && !record)) type = 1;
-    if (type < 0 || type > 6) {
+    if (type < 0 || type > 7) {
         const std::string name = record ? fmt::format("*HOURGLASS {}", record->id) : "*CONTROL_HOURGLASS";
         throw DeckError(
             record ? record->where : part.where,
             fmt::format("{}, field IHQ: type {} is not supported for the solids of part {}; there "
-                        "are 1 to 6 (0: 1)",
+                        "are 1 to 7 (0: 1)",
                         name, type, part.id));
     }
     using Form = SolidHourglass::Form;
-    constexpr Form forms[] = {Form::viscous,   Form::viscous,   Form::viscous,       Form::viscous,
-                              Form::stiffness, Form::stiffness, Form::assumed_strain};
+    constexpr Form forms[] = {Form::viscous,   Form::viscous,   Form::viscous,        Form::viscous,
+                              Form::stiffness, Form::stiffness, Form::assumed_strain, Form::total_strain};
     hourglass.form = forms[type];
     hourglass.orthogonal = type >= 2;
-    // LS-DYNA: types 3 and 5 are types 2 and 4 with exact volume integration; 6 is derived for it.
+    // LS-DYNA: types 3 and 5 are types 2 and 4 with exact volume integration; 6 and 7 are derived for it.
     setup.rule = type == 3 || type >= 5 ? SolidGradientRule::mean : SolidGradientRule::centre;
 }
 

@@ -10,7 +10,8 @@ std::unique_ptr<SolidGroup> make_elastic_fluid_solids(const Record& material, co
     const ElasticFluid fluid = ElasticFluid::from_record(material);
     setup.parameters.density = fluid.density;
     SolidHourglass& hourglass = setup.parameters.hourglass;
-    if (hourglass.form == SolidHourglass::Form::assumed_strain) {
+    if (hourglass.form == SolidHourglass::Form::assumed_strain ||
+        hourglass.form == SolidHourglass::Form::total_strain) { // a fluid has no shape to go back to
         // There is no shear modulus to work with; the viscous form takes the speed of sound.
         hourglass.form = SolidHourglass::Form::viscous;
         hourglass.poisson_ratio = 0.5;

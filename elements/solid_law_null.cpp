@@ -11,7 +11,8 @@ std::unique_ptr<SolidGroup> make_null_solids(const Record& material, const Recor
     const NullFluid fluid = NullFluid::from_record(material);
     setup.parameters.density = fluid.density;
     SolidHourglass& hourglass = setup.parameters.hourglass;
-    if (hourglass.form == SolidHourglass::Form::assumed_strain) {
+    if (hourglass.form == SolidHourglass::Form::assumed_strain ||
+        hourglass.form == SolidHourglass::Form::total_strain) { // a fluid has no shape to go back to
         // LS-DYNA: viscous for *MAT_NULL, scaled by the viscosity of the material (manual, *HOURGLASS).
         hourglass.form = SolidHourglass::Form::assumed_rate;
         hourglass.shear_modulus = fluid.viscosity;

@@ -40,6 +40,7 @@ void set_hourglass(const SolidHourglass& control, const SolidGradient<double, So
     case Form::stiffness:
         solid.hourglass = hourglass_stiffness(control, mass / b.volume * speed * speed, b, 1 / b.volume);
         break;
+    case Form::total_strain:
     case Form::assumed_strain: // the largest factor of assumed_strain_forces for a cube
         solid.hourglass = control.coefficient * control.shear_modulus / (64 * 3 * inverse_length) * 2 *
                           (1 + control.poisson_ratio) / (1 - control.poisson_ratio);
@@ -118,7 +119,9 @@ struct Cluster {
 /// nodes' masses. An element on its own swells and shrinks faster: a cube with 2 / L sqrt(3 K / rho), which
 /// for nu = 0.3 is 1.36 times 2 c / L; rows, plates and corners lie between. Where few elements of the group
 /// share nodes, its largest frequency is found. If TSSFAC times the step does not bear it, the elements there
-/// get a step that does, with all of the damping; all others keep LS-DYNA's.
+/// get a step that does, with all of the damping; all others keep LS-DYNA's. An element whose nodes are all
+/// its own has that of its damping at rest as well, even where it bears more: near the limit it swells and
+/// shrinks in a few steps, and a vote that falls whenever it shrinks takes some of its energy away each time.
 void SolidGroup::hold_back_loose_elements(const State& state)
 {
     // Numbers of the group's own nodes, by entry of the patches, and their masses.
@@ -184,19 +187,26 @@ void SolidGroup::hold_back_loose_elements(const State& state)
     });
 
     // Loose elements that would not bear the group's step on their own.
-    std::vector<std::size_t> loose;
+    std::vector<std::size_t> loose, apart;
     std::vector<bool> around(own.size());
     for_each_element([&](const Patches::Patch& patch, std::size_t place) {
-        double least = no_bound;
-        for (int i = 0; i < 8; ++i) least = std::min(least, mass[own_corner(patch, place, i)]);
+        double least = no_bound, most = 0;
+        for (int i = 0; i < 8; ++i) {
+            least = std::min(least, mass[own_corner(patch, place, i)]);
+            most = std::max(most, mass[own_corner(patch, place, i)]);
+        }
         if (least >= loose_share * constant_of(place, mass_constant)) return;
         const LinearSolid solid = linear_solid(patch, place);
         const double share = constant_of(place, mass_constant) / distinct_corners(patch, place).count;
         const double square = lone_frequency_squared(solid, share);
-        if (!(loose_margin * 2 < scaled * std::sqrt(square))) return;
+        if (!(loose_margin * 2 < scaled * std::sqrt(square))) {
+            if (!setup_.eight_points && most < 1.5 * share) apart.push_back(place);
+            return;
+        }
         loose.push_back(place);
         for (Index node : solid.node) around[node] = true;
     });
+    for (std::size_t place : apart) limit_step(place, slowed * first_step_[place]);
     if (loose.empty()) return;
 
     // They and all that share nodes with them, held where the deck holds them from start to end.

@@ -12,9 +12,7 @@ template <class Point, SolidGradientRule rule>
 class SolidOnePoint final : public SolidGroup {
 public:
     SolidOnePoint(Point point, SolidSetup setup, State& state)
-        : SolidGroup(std::move(setup), state, point_history + Point::history_size,
-                     point_constants + Point::constant_size, Point::plastic_strain),
-          point_(std::move(point))
+        : SolidOnePoint(std::move(point), constant_count(setup), std::move(setup), state)
     {
         start(state);
     }
@@ -28,6 +26,18 @@ public:
 
 private:
     Point point_;
+
+    SolidOnePoint(Point point, int constants, SolidSetup&& setup, State& state)
+        : SolidGroup(std::move(setup), state, point_history + Point::history_size, constants,
+                     Point::plastic_strain),
+          point_(std::move(point))
+    {}
+
+    static int constant_count(const SolidSetup& setup)
+    {
+        const bool total = setup.parameters.hourglass.form == SolidHourglass::Form::total_strain;
+        return point_constants + Point::constant_size + (total ? total_hourglass_constants : 0);
+    }
 
     /// Forces of one batch. Flattened: the compiler would stop inlining half-way, and pass lanes through
     /// memory.
@@ -51,6 +61,10 @@ private:
             start_batch(batch, gradient_of<rule>(position).volume, position, state);
             Lanes* history = history_of(batch);
             point_.start(position, history, constants_of(batch));
+            if (setup_.parameters.hourglass.form == SolidHourglass::Form::total_strain) {
+                start_total_hourglass(position, history + hourglass_history,
+                                      constants_of(batch) + point_constants + Point::constant_size);
+            }
             if constexpr (requires { point_.start_at(Vector3<Lanes>{}, history); })
                 point_.start_at(start_centre(patch, batch, state), constants_of(batch));
             std::array<Lanes, point_history + Point::history_size> trial;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "elements/bulk_viscosity.h"
-#include "elements/hourglass_solid.h"
+#include "elements/hourglass_total.h"
 #include "materials/history.h"
 #include "math/lane_roots.h"
 
@@ -24,7 +24,7 @@ enum SolidHistory : int {
     viscosity_history = 6,   ///< bulk viscosity pressure [stress]
     internal_energy_history, ///< elastic, plastic and bulk viscosity
     hourglass_energy_history,
-    hourglass_history, ///< 4 modes x 3 components [force]
+    hourglass_history, ///< 4 modes x 3 components [force]; of IHQ 7: shares, which stay
     point_history = hourglass_history + 12,
 };
 
@@ -240,6 +240,16 @@ inline SolidResult<Lane> solid_step(const Point& point, const SolidParameters& p
     const SolidHourglass& control = parameters.hourglass;
     if (control.form == SolidHourglass::Form::none) {
         return {stress_divergence(b, flux), vote};
+    }
+    if (control.form == SolidHourglass::Form::total_strain) {
+        const TotalHourglass<Lane> total =
+            total_hourglass(control, position, history + hourglass_history,
+                            constants + point_constants + Point::constant_size);
+        history[hourglass_energy_history] = total.energy;
+        SolidModes<Lane> forces = stress_divergence(b, flux);
+        for (int i = 0; i < 3; ++i) forces.linear[i] += total.force.linear[i];
+        for (int mode = 0; mode < 4; ++mode) forces.hourglass[mode] += total.force.hourglass[mode];
+        return {forces, vote};
     }
     const HourglassVectors<Lane> rate = hourglass_rates(control.orthogonal, middle, velocity, gradient);
     Lane* const stored = history + hourglass_history;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 namespace plash {
@@ -63,7 +64,13 @@ Vec3 linear_velocity(const Tensor3<double>& gradient, const Vec3& place)
 struct ScalarElement {
     Vec3 position[8], velocity[8];
     double history[point_history] = {};
-    double constants[point_constants] = {1, 7.85e-9};
+    double constants[point_constants + total_hourglass_constants] = {1, 7.85e-9};
+
+    /// For IHQ 7: the places are those of the start.
+    void start_total()
+    {
+        start_total_hourglass(modes_of(position), history + hourglass_history, constants + point_constants);
+    }
 
     template <SolidGradientRule rule>
     SolidResult<double> step(const SolidParameters& parameters, double time_step)
@@ -241,14 +248,105 @@ TEST(SolidStep, AssumedStrainTypeBendsLikeAnElasticPlate)
     EXPECT_NEAR(element.history[hourglass_energy_history], energy, 3e-6 * energy);
 }
 
+TEST(TotalHourglass, ForcesAreTheDerivativeOfItsEnergy)
+{
+    // Any shape, far away from where it began: forces against central differences of the energy, and no
+    // resultant and no moment.
+    SolidHourglass control = steel_parameters(Form::total_strain, true).hourglass;
+    control.shear_modulus = 3;
+    Vec3 start[8], now[8], force[8];
+    distorted_cube(start, 0.2, 3);
+    distorted_cube(now, 0.25, 8);
+    double shares[12], lengths[total_hourglass_constants];
+    start_total_hourglass(modes_of(start), shares, lengths);
+    const auto energy = [&] { return total_hourglass(control, modes_of(now), shares, lengths).energy; };
+    for_corners(total_hourglass(control, modes_of(now), shares, lengths).force,
+                [&](int i, const Vec3& f) { force[i] = f; });
+    Vec3 sum{}, moment{};
+    double largest = 0;
+    for (int i = 0; i < 8; ++i) {
+        sum += force[i];
+        moment += cross(now[i], force[i]);
+        largest = std::max(largest, norm(force[i]));
+        for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+            const double h = 1e-5, middle = now[i].*axis;
+            now[i].*axis = middle + h;
+            const double above = energy();
+            now[i].*axis = middle - h;
+            const double below = energy();
+            now[i].*axis = middle;
+            EXPECT_NEAR(force[i].*axis, (below - above) / (2 * h), 1e-8 * largest) << i;
+        }
+    }
+    EXPECT_GT(largest, 1e-3);
+    EXPECT_LT(norm(sum), 1e-14 * largest);
+    EXPECT_LT(norm(moment), 1e-14 * largest);
+}
+
+TEST(TotalHourglass, LinearDeformationOfAnySizeHasNone)
+{
+    const SolidHourglass control = steel_parameters(Form::total_strain, true).hourglass;
+    const Tensor3<double> deformation{-0.5, 1.2, 0.3, -0.8, -0.1,
+                                      0.4,  0.3, 0.2, 1.4}; // turns by more than 90 degrees
+    Vec3 corner[8];
+    distorted_cube(corner, 0.2, 3);
+    double shares[12], lengths[total_hourglass_constants];
+    start_total_hourglass(modes_of(corner), shares, lengths);
+    for (Vec3& place : corner) place = linear_velocity(deformation, place);
+    const auto total = total_hourglass(control, modes_of(corner), shares, lengths);
+    EXPECT_LT(total.energy, 1e-20 * control.shear_modulus);
+    for (const Vec3& force : total.force.hourglass) EXPECT_LT(norm(force), 1e-13 * control.shear_modulus);
+}
+
+TEST(TotalHourglass, IsTypeSixForSmallMotionsAndForgetsNoneOfALargeOne)
+{
+    // A small motion in all modes at once: the energies differ by the order of the motion. A loop of large
+    // motions that ends where it began: type 7 has nothing left, type 6 has.
+    const auto energy_after = [](Form form, double size, bool loop) {
+        ScalarElement element;
+        distorted_cube(element.position, 0, 5);
+        element.start_total();
+        if (form != Form::total_strain) std::fill_n(element.history + hourglass_history, 12, 0.0);
+        Vec3 way[3][8];
+        distorted_cube(way[0], size, 11);
+        distorted_cube(way[1], size, 12);
+        for (int i = 0; i < 8; ++i) {
+            way[0][i] -= element.position[i];
+            way[1][i] -= element.position[i];
+            way[2][i] = -(way[0][i] + way[1][i]);
+        }
+        const int steps = 20, legs = loop ? 3 : 1;
+        for (int leg = 0; leg < legs; ++leg) {
+            for (int n = 0; n < steps; ++n) {
+                for (int i = 0; i < 8; ++i) {
+                    element.velocity[i] = (1.0 / steps) * way[leg][i];
+                    element.position[i] += element.velocity[i];
+                }
+                element.step<SolidGradientRule::mean>(steel_parameters(form, true), 1.0);
+            }
+        }
+        double left = 0;
+        for (int i = 0; form != Form::total_strain && i < 12; ++i)
+            left = std::max(left, std::abs(element.history[hourglass_history + i]));
+        return std::array{element.history[hourglass_energy_history], left};
+    };
+    const double seven = energy_after(Form::total_strain, 1e-5, false)[0];
+    EXPECT_GT(seven, 0);
+    EXPECT_NEAR(energy_after(Form::assumed_strain, 1e-5, false)[0], seven, 1e-4 * seven);
+    const double high = energy_after(Form::total_strain, 0.1, false)[0];
+    EXPECT_LT(energy_after(Form::total_strain, 0.1, true)[0], 1e-25 * high);
+    EXPECT_GT(energy_after(Form::assumed_strain, 0.1, true)[1], 1); // of forces of about 1e3
+}
+
 TEST(SolidStep, LanesEqualTheScalarReference)
 {
-    for (Form form : {Form::none, Form::viscous, Form::stiffness, Form::assumed_strain, Form::assumed_rate}) {
+    for (Form form : {Form::none, Form::viscous, Form::stiffness, Form::assumed_strain, Form::total_strain,
+                      Form::assumed_rate}) {
         const auto check = [&](auto rule) {
             constexpr SolidGradientRule gradient_rule = decltype(rule)::value;
             ScalarElement element[lane_count];
             Vector3<Lanes> position[8], velocity[8];
-            Lanes history[point_history], constants[point_constants];
+            Lanes history[point_history], constants[point_constants + total_hourglass_constants];
             std::mt19937 random(9);
             for (int lane = 0; lane < lane_count; ++lane) {
                 ScalarElement& one = element[lane];
@@ -256,6 +354,7 @@ TEST(SolidStep, LanesEqualTheScalarReference)
                 distorted_cube(one.velocity, 100, lane + 50);
                 for (double& value : one.history) value = random() / 1e7;
                 one.constants[0] = 0.9 + 0.05 * lane;
+                if (form == Form::total_strain) one.start_total();
                 for (int i = 0; i < 8; ++i) {
                     set_lane(position[i].x, lane, one.position[i].x);
                     set_lane(position[i].y, lane, one.position[i].y);
@@ -265,7 +364,8 @@ TEST(SolidStep, LanesEqualTheScalarReference)
                     set_lane(velocity[i].z, lane, one.velocity[i].z);
                 }
                 for (int i = 0; i < point_history; ++i) history[i][lane] = one.history[i];
-                for (int i = 0; i < point_constants; ++i) constants[i][lane] = one.constants[i];
+                for (int i = 0; i < point_constants + total_hourglass_constants; ++i)
+                    constants[i][lane] = one.constants[i];
             }
             const SolidParameters parameters = steel_parameters(form, true);
             const double h = 1e-4;
