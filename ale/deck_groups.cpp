@@ -75,10 +75,12 @@ void set_material(const Model& model, DeckGroup& group, std::size_t number, cons
         set_law<Gruneisen>(group, *equation_of_state, fluid);
     } else if (equation_of_state->keyword == "EOS_LINEAR_POLYNOMIAL") {
         set_law<LinearPolynomial>(group, *equation_of_state, fluid);
+    } else if (equation_of_state->keyword == "EOS_MURNAGHAN") {
+        set_law<Murnaghan>(group, *equation_of_state, fluid);
     } else {
         throw DeckError(equation_of_state->where,
                         fmt::format("*{} {} is not supported in an Eulerian mesh (group '{}'); there are "
-                                    "*EOS_GRUNEISEN and *EOS_LINEAR_POLYNOMIAL",
+                                    "*EOS_GRUNEISEN, *EOS_LINEAR_POLYNOMIAL and *EOS_MURNAGHAN",
                                     equation_of_state->keyword, equation_of_state->id, group.name));
     }
 }

@@ -2,12 +2,13 @@
 
 #include "eos/gruneisen.h"
 #include "eos/linear_polynomial.h"
+#include "eos/murnaghan.h"
 
 #include <variant>
 
 namespace plash {
 
-using CellLaw = std::variant<Gruneisen, LinearPolynomial>;
+using CellLaw = std::variant<Gruneisen, LinearPolynomial, Murnaghan>;
 
 /// A group of *ALE_MULTI-MATERIAL_GROUP as the Eulerian fluid sees it.
 struct FluidGroup {
