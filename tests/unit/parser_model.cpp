@@ -245,4 +245,21 @@ TEST(Fates, UnusedFieldsAreListedWithTheirReason)
     EXPECT_EQ(result.report.ignored[1].field, "TSLIMT");
 }
 
+/// Every field of these keywords acts or says why not.
+TEST(Fates, TimeControlsLeaveNoFieldWithoutAnAnswer)
+{
+    ReadResult result =
+        read_text("*CONTROL_TIMESTEP\n1.,.9,1,1e-6,-1.,,1,1\n.5,3,-7,,,2,1.,1\n3,1,2,1\n"
+                  "*CONTROL_TERMINATION\n1.,9,1.,1.,1.,1\n*CONTROL_ENERGY\n2,1,2,2,1,2,2,2\n");
+    EXPECT_TRUE(result.ok);
+    list_unread_fields(result.model, result.report);
+    std::string fields;
+    for (const auto& field : result.report.ignored) {
+        fields += field.field + ' ';
+        EXPECT_NE(field.reason, "") << field.field;
+    }
+    EXPECT_EQ(fields, "TSLIMT MS1ST DT2MSF DT2MSLC IMSCL RMSCL EMSCL IHDO RMAVG IGADO DTUSR DTDYNV NOSOL "
+                      "HGEN RWEN SLNTEN RYLEN IRGEN MATEN DRLEN DISEN ");
+}
+
 } // namespace plash
