@@ -10,6 +10,7 @@
 #include "parser/read_model.h"
 #include "solver/explicit_loop.h"
 #include "solver/fluids/translate.h"
+#include "solver/hourglass_share.h"
 #include "solver/restart.h"
 #include "solver/scene.h"
 
@@ -275,6 +276,7 @@ int run_deck(const RunArguments& arguments)
     const RunSummary summary = summarise(arguments, *scene, outcome);
     write_summary(summary, directory);
     print_end(summary, log);
+    for (const std::string& line : hourglass_warnings(summary.energy, scene->model)) log.warn(line);
     std::fflush(stdout); // so that what the drawing program says comes behind it
     if (arguments.picture) draw_picture(directory);
     return outcome.termination == Outcome::Termination::normal ? 0 : 3;
