@@ -126,7 +126,7 @@ std::string joined_deck()
     deck.part(1, 2, 1);
     deck.part(2, 2, 2);
     deck.part(3, 2, 2);
-    deck.part(4, 2, 2);
+    deck.text += "*HOURGLASS\n1,7,0.1\n*PART\np4\n4,2,2,0,1\n"; // keeps the shape of the start in its history
     const int low = deck.block(1, {0, 0, 0}, {12, 12, 8}, 3, 3, 2);
     deck.block(2, {1, 1, 8}, {11, 11, 12}, 5, 5, 2);
     deck.block(3, {2, 2, 12.3}, {10, 10, 16}, 2, 2, 2);
