@@ -22,8 +22,8 @@ inline std::vector<std::string> hourglass_warnings(const EnergyLedger& ledger, c
         if (!(hourglass > 0.1 * internal && hourglass > 1e-3 * ledger.largest_turnover)) continue;
         lines.push_back(fmt::format(
             "part {} '{}': hourglass energy {:.3g}, internal energy {:.3g}: the mesh has moved in modes that "
-            "one point cannot see; a finer mesh, hourglass control with stiffness (IHQ 4 to 6) or a fully "
-            "integrated ELFORM resists them",
+            "one point cannot see; a finer mesh, hourglass control with stiffness (IHQ 4, 5, of solids 6) or "
+            "a fully integrated ELFORM resists them",
             model.parts[part].id, model.parts[part].title, hourglass, internal));
     }
     return lines;
