@@ -16,24 +16,24 @@ using testing::EulerianRun;
 const std::string with_cut_cells = "*PLASH_ALE_FORMULATION\n0,1\n";
 
 /// A part of shells. material  the keyword block of material `part`
-std::string shell_part(int part, double thickness, const std::string& material)
+std::string cutting_shells(int part, double thickness, const std::string& material)
 {
     return fmt::format("*PART\nstructure\n{0},{0},{0}\n*SECTION_SHELL\n{0},2\n{1},{1},{1},{1}\n{2}", part,
                        thickness, material);
 }
 
-std::string elastic(int part, double density, double modulus)
+std::string elastic_cutter(int part, double density, double modulus)
 {
     return fmt::format("*MAT_ELASTIC\n{},{},{},0.3\n", part, density, modulus);
 }
 
-std::string rigid(int part, double density, int held_translations)
+std::string rigid_cutter(int part, double density, int held_translations)
 {
     return fmt::format("*MAT_RIGID\n{},{},2e11,0.3\n1,{},7\n\n", part, density, held_translations);
 }
 
 /// Of a part (kind 1) or a set of parts (kind 0) with mesh part 10 and the densest group.
-std::string coupled(int structure, int kind = 1)
+std::string coupled_by_cuts(int structure, int kind = 1)
 {
     return fmt::format("*CONSTRAINED_LAGRANGE_IN_SOLID\n{},10,{},1,2,4,1,1\n\n", structure, kind);
 }
@@ -78,13 +78,13 @@ struct OpenBox {
     }
 };
 
-std::size_t index_of(const EulerianRun& run, int node)
+std::size_t place_of_node(const EulerianRun& run, int node)
 {
     const auto& ids = run.model().nodes.id;
     return std::find(ids.begin(), ids.end(), node) - ids.begin();
 }
 
-struct Carried {
+struct CarriedBox {
     double lost = 0;  ///< share of the water that has left the box
     double bulge = 0; ///< of the middle of the floor [length]
     double balance = 0;
@@ -92,7 +92,7 @@ struct Carried {
 
 /// A rubber box of six cells an edge, two thirds full, that hangs on its rim; the rim goes aside by 1.4
 /// cells.
-Carried carry_elastic_box()
+CarriedBox carry_elastic_box()
 {
     constexpr double cell = 0.02, side = 0.12, low = 0.0674, low_z = 0.0474, end = 0.3, speed = 0.1;
     constexpr int along = 6;
@@ -105,15 +105,16 @@ Carried carry_elastic_box()
     EulerianRun run(testing::structured_mesh({0, 0, 0}, {0.28, 0.26, 0.22}, {14, 13, 11}) +
                     testing::liquid_and_void(1000, 60) +
                     testing::liquid_in_box({low, low, low_z}, {low + side, low + side, low_z + 0.08}) +
-                    shell_part(20, 0.004, elastic(20, 1000, 2e6)) + coupled(20) + with_cut_cells +
-                    box.text(20) + rim + "*BOUNDARY_SPC_SET\n1,0,0,1,1,1,1,1\n" +
+                    cutting_shells(20, 0.004, elastic_cutter(20, 1000, 2e6)) + coupled_by_cuts(20) +
+                    with_cut_cells + box.text(20) + rim + "*BOUNDARY_SPC_SET\n1,0,0,1,1,1,1,1\n" +
                     fmt::format("*BOUNDARY_PRESCRIBED_MOTION_SET\n1,1,0,2\n"
                                 "*DEFINE_CURVE\n2\n0,0\n0.05,{0}\n10,{0}\n",
                                 speed) +
                     testing::gravity(9.81) + testing::closed(end));
     const BoxFluid& fluid = run.term<EulerianFluid>().box();
     const double before = testing::liquid_volume(fluid);
-    const std::size_t first = index_of(run, box.node(0, 0, 0)), middle = index_of(run, box.node(3, 3, 0));
+    const std::size_t first = place_of_node(run, box.node(0, 0, 0)),
+                      middle = place_of_node(run, box.node(3, 3, 0));
     Vec3 lowest, highest;
     double floor = 0;
     run.run([&](const Clock&, const State& state) {
@@ -141,7 +142,7 @@ Carried carry_elastic_box()
 TEST(AleCutCells, ElasticBoxOfWaterIsTight)
 {
     const Threads one(1);
-    const Carried box = carry_elastic_box();
+    const CarriedBox box = carry_elastic_box();
     EXPECT_LT(box.lost, 1e-9);
     EXPECT_GT(box.bulge, 0.005);
     EXPECT_LT(box.balance, 1e-5);
@@ -149,7 +150,7 @@ TEST(AleCutCells, ElasticBoxOfWaterIsTight)
 
 namespace {
 
-struct Hit {
+struct ElasticPlateHit {
     double largest_error = 0; ///< of the plate's speed against Taylor's, over twice that of the wave
     double last_speed = 0;    ///< over Taylor's
     double momentum = 0;      ///< of water and plate over the piston's impulse
@@ -179,9 +180,9 @@ WaveDeck wave_deck(double mass_by_area, double cell, const std::string& more = "
     deck.text = testing::structured_mesh({0, 0, 0}, {0.8, side, side}, {cells, 2, 2}) +
                 testing::liquid_and_void(1000, 1500) +
                 testing::liquid_in_box({0.1, 0, 0}, {0.1 + length, side, side}) +
-                shell_part(20, 0.01, rigid(20, 7800, 5)) +
-                shell_part(21, thickness, elastic(21, mass_by_area / thickness, 1e9)) + coupled(20) +
-                coupled(21) + with_cut_cells + piston + target + guide +
+                cutting_shells(20, 0.01, rigid_cutter(20, 7800, 5)) +
+                cutting_shells(21, thickness, elastic_cutter(21, mass_by_area / thickness, 1e9)) +
+                coupled_by_cuts(20) + coupled_by_cuts(21) + with_cut_cells + piston + target + guide +
                 "*BOUNDARY_SPC_SET\n1,0,0,1,1,1,1,1\n" +
                 "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n20,1,0,2\n*DEFINE_CURVE\n2\n0,1\n1,1\n" + more +
                 testing::closed(end);
@@ -189,14 +190,14 @@ WaveDeck wave_deck(double mass_by_area, double cell, const std::string& more = "
 }
 
 /// Taylor (1941): m v' = 2 p_i - rho c v, v = 2 v0 (1 - exp(-rho c t / m)).
-Hit hit_elastic_plate(double mass_by_area, double cell)
+ElasticPlateHit hit_elastic_plate(double mass_by_area, double cell)
 {
     constexpr double impedance = 1000 * 1500, length = 0.5, sound = 1500, speed = 1;
     const double area = 4 * cell * cell;
     const WaveDeck deck = wave_deck(mass_by_area, cell);
     EulerianRun run(deck.text);
-    const std::size_t node = index_of(run, deck.plate), on_piston = index_of(run, deck.piston);
-    Hit result;
+    const std::size_t node = place_of_node(run, deck.plate), on_piston = place_of_node(run, deck.piston);
+    ElasticPlateHit result;
     double wanted = 0, found = 0, impulse = 0;
     ElementResults forces;
     forces.coupling_force.resize(run.model().nodes.size());
@@ -230,7 +231,7 @@ TEST(AleCutCells, ElasticPlateIsHitByAWaveAsTaylorSays)
     const Threads one(1);
     constexpr double cell = 0.0075, water = 1000;
     for (const double cells : {10., 20., 40.}) {
-        const Hit plate = hit_elastic_plate(cells * water * cell, cell);
+        const ElasticPlateHit plate = hit_elastic_plate(cells * water * cell, cell);
         EXPECT_LT(plate.largest_error, 1.3 / cells) << cells;
         EXPECT_NEAR(plate.last_speed, 1, 0.004) << cells;
         EXPECT_NEAR(plate.momentum, 1, 7e-4) << cells;
@@ -245,7 +246,7 @@ TEST(AleCutCells, LightElasticPlateGoesWithTheWater)
     const Threads one(1);
     constexpr double cell = 0.0075, water = 1000;
     for (const double cells : {0.2, 1.}) {
-        const Hit plate = hit_elastic_plate(cells * water * cell, cell);
+        const ElasticPlateHit plate = hit_elastic_plate(cells * water * cell, cell);
         EXPECT_NEAR(plate.last_speed, 1, 0.03) << cells; // 0.978, 0.983
         EXPECT_LT(plate.balance, 1e-5) << cells;         // 2e-12, 8e-7
     }
@@ -264,13 +265,13 @@ TEST(AleCutCells, EndInOrderWhereTheSurfaceErodes)
 
 namespace {
 
-/// Draughts of two boxes of shells, half of each in a plane tank, floating at its two ends; in cells too deep
-/// by Archimedes. one_coupling  of the set of both, in place of one coupling of each
-struct Draughts {
+/// TwoDraughts of two boxes of shells, half of each in a plane tank, floating at its two ends; in cells too
+/// deep by Archimedes. one_coupling  of the set of both, in place of one coupling of each
+struct TwoDraughts {
     double left = 0, right = 0;
 };
 
-Draughts float_two_boxes(bool one_coupling)
+TwoDraughts float_two_boxes(bool one_coupling)
 {
     constexpr double cell = 0.025, width = 0.075, height = 0.2, tank = 0.5, water = 0.2, end = 3;
     int first = 100000;
@@ -286,8 +287,8 @@ Draughts float_two_boxes(bool one_coupling)
         const double side = n == 0 ? width : tank - width, wall = n == 0 ? 0 : tank;
         const Vec3 along{0, cell, 0}, up{0, 0, height}, floor{side - wall, 0, 0},
             low{wall, 0, water - draught[n]};
-        text += shell_part(20 + n, 0.01, rigid(20 + n, density, 4));
-        if (!one_coupling) text += coupled(20 + n);
+        text += cutting_shells(20 + n, 0.01, rigid_cutter(20 + n, density, 4));
+        if (!one_coupling) text += coupled_by_cuts(20 + n);
         corner[n] = first;
         text += n == 0 ? testing::shell_patch(20, first, low, along, floor, 1, 3)
                        : testing::shell_patch(21, first, low, floor, along, 3, 1);
@@ -295,9 +296,9 @@ Draughts float_two_boxes(bool one_coupling)
                        : testing::shell_patch(21, first, low + floor, up, along, 8, 1);
         filling += fmt::format("5,0,2\n{},0,{},{},1,1\n", std::min(side, wall), low.z, std::max(side, wall));
     }
-    if (one_coupling) text += "*SET_PART_LIST\n1\n20,21\n" + coupled(1, 0);
+    if (one_coupling) text += "*SET_PART_LIST\n1\n20,21\n" + coupled_by_cuts(1, 0);
     EulerianRun run(text + with_cut_cells + filling + testing::gravity(9.81) + testing::closed(end));
-    const std::size_t left = index_of(run, corner[0]), right = index_of(run, corner[1]);
+    const std::size_t left = place_of_node(run, corner[0]), right = place_of_node(run, corner[1]);
     double sum[2] = {0, 0}, span = 0;
     run.run([&](const Clock& clock, const State& state) {
         if (clock.time < 1) return;
@@ -314,7 +315,7 @@ Draughts float_two_boxes(bool one_coupling)
 TEST(AleCutCells, TwoBodiesFloatInOneMesh)
 {
     const Threads one(1);
-    const Draughts each = float_two_boxes(false), both = float_two_boxes(true);
+    const TwoDraughts each = float_two_boxes(false), both = float_two_boxes(true);
     EXPECT_NEAR(each.left, 0, 0.05);
     EXPECT_NEAR(each.right, 0, 0.05);
     EXPECT_EQ(each.left, both.left);
@@ -323,7 +324,7 @@ TEST(AleCutCells, TwoBodiesFloatInOneMesh)
 
 namespace {
 
-struct Afloat {
+struct ElasticAfloat {
     double too_deep = 0; ///< by what its sides leave of the water that it weighs, in cells
     double bulge = 0;    ///< of the floor's middle against its corners [length]
     double balance = 0;
@@ -356,7 +357,7 @@ double bent_inwards(const OpenBox& box, const State& state, std::size_t first)
 }
 
 /// A box of rubber shells in the middle of a tank, started near its draught; its vertical edges stay upright.
-Afloat float_elastic_box(int cells)
+ElasticAfloat float_elastic_box(int cells)
 {
     constexpr double side = 0.15, low = 0.1275, level = 0.2625, sunk = 0.5,
                      start = level - sunk * side + 0.015;
@@ -372,10 +373,11 @@ Afloat float_elastic_box(int cells)
                     testing::liquid_and_void(1000, 20) + "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n" +
                     fmt::format("5,0,1\n0,0,0,1,1,{}\n5,0,2\n{},{},{},{},{},1\n", level, low, low, start,
                                 low + side, low + side) +
-                    shell_part(20, 0.01, elastic(20, 3000 * sunk, 2e6)) + coupled(20) + with_cut_cells +
-                    box.text(20) + edges + "*BOUNDARY_SPC_SET\n1,0,1,1,0,0,0,0\n" + testing::gravity(9.81) +
-                    testing::closed(3));
-    const std::size_t corner = index_of(run, box.node(0, 0, 0)), middle = index_of(run, box.node(3, 3, 0));
+                    cutting_shells(20, 0.01, elastic_cutter(20, 3000 * sunk, 2e6)) + coupled_by_cuts(20) +
+                    with_cut_cells + box.text(20) + edges + "*BOUNDARY_SPC_SET\n1,0,1,1,0,0,0,0\n" +
+                    testing::gravity(9.81) + testing::closed(3));
+    const std::size_t corner = place_of_node(run, box.node(0, 0, 0)),
+                      middle = place_of_node(run, box.node(3, 3, 0));
     double sum = 0, span = 0, bulge = 0, bent = 0;
     run.run([&](const Clock& clock, const State& state) {
         if (clock.time < 2) return;
@@ -397,7 +399,7 @@ Afloat float_elastic_box(int cells)
 TEST(AleCutCells, ElasticBoxFloatsAtItsDraught)
 {
     const Threads one(1);
-    const Afloat box = float_elastic_box(8);
+    const ElasticAfloat box = float_elastic_box(8);
     EXPECT_NEAR(box.too_deep, 0, 0.05);
     EXPECT_GT(box.bulge, 0.002);
     EXPECT_LT(box.balance, 5e-5);
