@@ -133,6 +133,30 @@ TEST(ParticleLaws, SolidsHaveTheStressOfTheirMaterial)
                                   0.01);
 }
 
+/// A particle drawn beyond its failure strain goes on with its stress (IEROD = 0) or without any (1).
+TEST(ParticleLaws, FailedParticlesKeepOrLoseTheirStress)
+{
+    for (const bool carries_nothing : {false, true}) {
+        OneParticle particle(make_record(
+            "MAT_PLASTIC_KINEMATIC",
+            {{"RO", 1}, {"E", 100}, {"PR", 0.3}, {"SIGY", 1}, {"ETAN", 5}, {"BETA", 1}, {"FS", 0.05}}));
+        particle.constants.failed_carry_nothing = carries_nothing;
+        const auto stress_after = [&](int steps) {
+            for (int i = 0; i < steps; ++i) {
+                particle.arrays.gradient[0] = {1, 0, 0, 0, -0.5, 0, 0, 0, -0.5};
+                particle.advance(0.01);
+            }
+            return std::sqrt(contract(particle.arrays.stress[0], particle.arrays.stress[0]));
+        };
+        EXPECT_GT(stress_after(4), 0.5); // a plastic strain of 0.03
+        if (carries_nothing) {
+            EXPECT_EQ(stress_after(4), 0);
+        } else {
+            EXPECT_GT(stress_after(4), 0.5);
+        }
+    }
+}
+
 /// p = -K ln V, never below -CP.
 TEST(ParticleLaws, ElasticFluidHasItsLogarithm)
 {

@@ -112,6 +112,8 @@ TEST(SphDeck, MapsFormsAndBoundaries)
     EXPECT_EQ(options("*CONTROL_SPH\n1\n\n,,,,,1\n").shifting, 1);
     EXPECT_EQ(options("*CONTROL_SPH\n1\n\n,,,,,1\n*PLASH_SPH_FORMULATION\n,,,3\n").shifting, 3);
     EXPECT_THROW(options("*CONTROL_SPH\n1\n\n,,,,,2\n"), DeckError);
+    EXPECT_FALSE(options("").failed_carry_nothing);
+    EXPECT_TRUE(options("*CONTROL_SPH\n1\n,,,,1\n").failed_carry_nothing);
     EXPECT_FALSE(options("").smoothing_by_cube_root);
     EXPECT_TRUE(options("*CONTROL_SPH\n1\n0,1\n").smoothing_by_cube_root);
     const auto mirrors = options("*BOUNDARY_SPH_SYMMETRY_PLANE\n0,-5,0,0,3,0\n").mirrors;
