@@ -21,7 +21,11 @@ void check(const SurfaceContact& term, const Model& model)
     const auto fail = [&](const std::string& text) {
         throw DeckError(contact.where, fmt::format("*{} {}: {}", contact.keyword, contact.id, text));
     };
-    if (mesh.facets.empty()) fail("its surfaces have no segments");
+    if (mesh.facets.empty()) {
+        fail(model.particles.size() == 0 ? "its surfaces have no segments"
+                                         : "its surfaces have no segments; particles have none, and belong "
+                                           "into SURFA of a contact of nodes");
+    }
     if (contact.soft != 0) return;
     for (const auto& facet : mesh.facets) {
         if (facet.stiffness > 0 || facet.part == none) continue;

@@ -1,5 +1,6 @@
 #include "contact/surface_contact.h"
 #include "tests/support/deck_run.h"
+#include "tests/support/read_text.h"
 
 namespace plash {
 
@@ -92,5 +93,20 @@ INSTANTIATE_TEST_SUITE_P(
              0.5},
         Rain{"eroding", "", "*CONTACT_ERODING_NODES_TO_SURFACE\n1,2,4,3\n\n\n0,1\n1\n", shell_plate, 0.5}),
     [](const auto& info) { return std::string(info.param.name); });
+
+TEST(ParticlesInContact, HaveNoSegments)
+{
+    const Model model = testing::model_of_text(
+        "*KEYWORD\n*CONTROL_TERMINATION\n1\n*PART\nplate\n1,1,1\n*PART\nbird\n2,2,2\n*SECTION_SHELL\n1,2\n"
+        ".1,.1,.1,.1\n*SECTION_SPH\n2\n*MAT_ELASTIC\n1,1,1,0.3\n*MAT_ELASTIC\n2,1,1,0.3\n"
+        "*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n1,2,3,3\n0\n0\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n"
+        "5,0,0,1\n6,1,0,1\n*ELEMENT_SHELL\n1,1,1,2,3,4\n*ELEMENT_SPH\n5,2,1\n6,2,1\n*END\n");
+    try {
+        make_scene(model);
+        FAIL() << "a contact without segments was taken";
+    } catch (const DeckError& error) {
+        EXPECT_NE(std::string(error.what()).find("particles have none"), std::string::npos) << error.what();
+    }
+}
 
 } // namespace plash
