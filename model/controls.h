@@ -23,14 +23,6 @@ struct TimeControls {
     bool erode_small_shells = false; ///< ERODE 10, 11: shells likewise
 };
 
-/// *CONTROL_ENERGY: which energies enter the balance. Plash always computes all of them.
-struct EnergyControls {
-    bool hourglass_requested = false; ///< HGEN = 2
-    bool rigid_wall_requested = true; ///< RWEN
-    bool sliding_requested = false;   ///< SLNTEN
-    bool damping_requested = false;   ///< RYLEN
-};
-
 /// *CONTROL_HOURGLASS, *CONTROL_BULK_VISCOSITY, *CONTROL_SHELL, *CONTROL_SOLID.
 struct ElementControls {
     int hourglass_type = 0;             ///< IHQ; 0: LS-DYNA's default of the element
@@ -108,7 +100,6 @@ struct OutputControls {
 
 struct Controls {
     TimeControls time;
-    EnergyControls energy;
     ElementControls elements;
     RelaxationControls relaxation;
     OutputControls output;

@@ -19,9 +19,9 @@ bool ends_in_heading(const std::vector<FieldLayout>& fields)
     return fields.size() > 1 && fields.back().type == FieldType::text && fields.back().width >= 40;
 }
 
-/// Commas inside parentheses or `< >` belong to an expression.
-void cut_at_commas(std::string_view line, std::size_t count, bool heading,
-                   std::vector<std::string_view>& tokens)
+/// Commas inside parentheses or `< >` belong to an expression. Returns what stands behind the last field.
+std::string_view cut_at_commas(std::string_view line, std::size_t count, bool heading,
+                               std::vector<std::string_view>& tokens)
 {
     int depth = 0;
     std::size_t begin = 0;
@@ -33,7 +33,9 @@ void cut_at_commas(std::string_view line, std::size_t count, bool heading,
         tokens.push_back(line.substr(begin, i - begin));
         begin = i + 1;
     }
-    if (tokens.size() < count) tokens.push_back(line.substr(begin));
+    if (tokens.size() == count) return line.substr(begin);
+    tokens.push_back(line.substr(begin));
+    return {};
 }
 
 /// `shift`: columns by which the whole line stands too far to the right.
@@ -95,6 +97,8 @@ std::string_view to_warning(Cut cut)
         return "the numbers do not stand in their columns: read as separated by blanks";
     if (cut == Cut::shifted)
         return "all columns stand a little to the right of their place: read as if they did not";
+    if (cut == Cut::surplus)
+        return "there are more values than the card has fields: those behind the last field are not read";
     return {};
 }
 
@@ -128,8 +132,8 @@ Cut CardCutter::cut(std::string_view line, const std::vector<FieldLayout>& field
     const bool free = first_comma < static_cast<std::size_t>(columns) && !all_text(fields);
     Cut way = Cut::fixed;
     if (free) {
-        cut_at_commas(line, fields.size(), heading, tokens);
-        way = Cut::free;
+        const std::string_view rest = cut_at_commas(line, fields.size(), heading, tokens);
+        way = rest.find_first_not_of(", ") == rest.npos ? Cut::free : Cut::surplus;
     } else {
         cut_at_columns(line, fields, minimum_width, tokens);
         bool astray = false, text = false;

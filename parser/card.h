@@ -12,12 +12,13 @@ namespace plash {
 enum class Cut {
     fixed,     ///< by columns
     free,      ///< by commas
+    surplus,   ///< by commas, with values behind those of the last field
     by_blanks, ///< numbers do not stand in their columns: read as they are separated by blanks
     shifted    ///< all columns stand a little to the right of their place
 };
 
-/// For the report: what was done with a line whose numbers do not stand in their columns; empty for the
-/// others.
+/// For the report: what was done with a line whose numbers do not stand in their columns or are too many;
+/// empty for the others.
 std::string_view to_warning(Cut cut);
 
 /// Columns that a field takes in a format: `minimum_width` 0 small, 10 I10, 20 long (where texts double).

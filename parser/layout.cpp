@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <numeric>
 #include <stdexcept>
 
 namespace plash {
@@ -182,6 +183,44 @@ const LayoutTable& layout_table()
 {
     static const LayoutTable table(layout_texts());
     return table;
+}
+
+namespace {
+
+/// Letters to change, to add and to leave out (Levenshtein 1966), or `limit` if there are that many.
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit)
+{
+    if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) >= limit) return limit;
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t(0));
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return std::min(row[b.size()], limit);
+}
+
+} // namespace
+
+std::string_view LayoutTable::closest(std::string_view name) const
+{
+    const std::string wanted = index_form(name);
+    std::string_view best;
+    std::size_t least = std::max<std::size_t>(2, name.size() / 10) + 1;
+    for (const auto& entry : by_name_) {
+        const std::string_view known = entry.first;
+        const std::size_t distance = edit_distance(wanted, known, least + 1);
+        if (distance < least || (distance == least && !best.empty() && known < best)) {
+            least = distance;
+            best = known;
+        }
+    }
+    return best;
 }
 
 } // namespace plash

@@ -137,6 +137,9 @@ public:
     /// Finds the keyword of a name in any spelling: aliases, `-` for `_`, options in any order.
     KeywordName resolve(std::string_view written) const;
     const KeywordLayout* find(std::string_view name) const;
+    /// The keyword that is most like a name that is none: at most two letters or a tenth of them differ, are
+    /// missing or are too many; else empty.
+    std::string_view closest(std::string_view name) const;
     /// Every keyword, in the order of the texts.
     std::vector<const KeywordLayout*> all() const;
 

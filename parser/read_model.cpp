@@ -29,6 +29,12 @@ std::size_t fingerprint(const Record& record)
     return hash;
 }
 
+std::string unknown_keyword(std::string_view name)
+{
+    const std::string_view closest = layout_table().closest(name);
+    return closest.empty() ? "unknown keyword" : fmt::format("unknown keyword, perhaps *{}", closest);
+}
+
 class ModelReader {
 public:
     ModelReader(const Deck& deck, Model& model, Report& report) : reading_(deck, model, report) {}
@@ -70,7 +76,8 @@ private:
     void read(const Block& block)
     {
         if (!block.keyword.layout) {
-            reading_.report.warning(block.where, block.keyword.name, "", "unknown keyword: not read");
+            reading_.report.warning(block.where, block.keyword.name, "",
+                                    unknown_keyword(block.keyword.name) + ": not read");
             return;
         }
         const Translator* translator = translator_of(block);
@@ -420,7 +427,7 @@ std::vector<Message> unsupported_keywords(const Report& report)
     std::vector<Message> messages;
     for (const auto& [name, use] : report.keywords) {
         if (use.status == KeywordStatus::run || use.status == KeywordStatus::ignored) continue;
-        std::string why = use.status == KeywordStatus::unknown ? "unknown keyword"
+        std::string why = use.status == KeywordStatus::unknown ? unknown_keyword(name)
                           : use.reason.empty()                 ? "read, but this physics is not run yet"
                                                                : "not supported: " + use.reason;
         messages.push_back({use.first, name, "", std::move(why)});

@@ -90,16 +90,6 @@ void read_solution(const Record& record, const Block&, Reading& reading)
         reading.error(record, "SOLN", "thermal analysis is not supported; 0 is structural analysis");
 }
 
-/// 1: not computed, 2: computed.
-void read_energy(const Record& record, const Block&, Reading& reading)
-{
-    EnergyControls& energy = reading.model.controls.energy;
-    energy.hourglass_requested = record.integer("HGEN") == 2;
-    energy.rigid_wall_requested = record.integer("RWEN") == 2;
-    energy.sliding_requested = record.integer("SLNTEN") == 2;
-    energy.damping_requested = record.integer("RYLEN") == 2;
-}
-
 void read_hourglass(const Record& record, const Block&, Reading& reading)
 {
     ElementControls& elements = reading.model.controls.elements;
@@ -140,7 +130,6 @@ constexpr Translator control_table[] = {
     {"CONTROL_SOLUTION", Phase::conditions, read_solution},
     {"CONTROL_DAMPING", Phase::conditions, read_relaxation},
     {"CONTROL_DYNAMIC_RELAXATION", Phase::conditions, read_relaxation},
-    {"CONTROL_ENERGY", Phase::conditions, read_energy},
     {"CONTROL_HOURGLASS", Phase::conditions, read_hourglass},
     {"CONTROL_BULK_VISCOSITY", Phase::conditions, read_bulk_viscosity},
     {"CONTROL_SHELL", Phase::conditions, read_shell},

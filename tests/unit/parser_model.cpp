@@ -1,5 +1,6 @@
 // What definitions become in the Model: curves, sets, conditions, controls.
 
+#include "parser/layout.h"
 #include "tests/unit/parser_support.h"
 
 namespace plash {
@@ -260,6 +261,36 @@ TEST(Fates, TimeControlsLeaveNoFieldWithoutAnAnswer)
     }
     EXPECT_EQ(fields, "TSLIMT MS1ST DT2MSF DT2MSLC IMSCL RMSCL EMSCL IHDO RMAVG IGADO DTUSR DTDYNV NOSOL "
                       "HGEN RWEN SLNTEN RYLEN IRGEN MATEN DRLEN DISEN ");
+}
+
+/// A keyword with a slip of the pen is told what it may be.
+TEST(Fates, UnknownKeywordsAreComparedWithKnownOnes)
+{
+    EXPECT_EQ(layout_table().closest("CONTROL_TERMINATON"), "CONTROL_TERMINATION");
+    EXPECT_EQ(layout_table().closest("initial-velocty"), "INITIAL_VELOCITY");
+    EXPECT_EQ(layout_table().closest("FROBNICATE"), "");
+    const ReadResult result = read_text("*CONTROL_TIMSTEP\n0.0,0.5\n");
+    const auto messages = unsupported_keywords(result.report);
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_EQ(messages[0].text, "unknown keyword, perhaps *CONTROL_TIMESTEP");
+}
+
+/// Values between commas behind those of the last field are not lost without a word; commas alone are
+/// nothing.
+TEST(Fates, ValuesBehindTheLastFieldAreNamed)
+{
+    const auto warnings = [](const std::string& text) {
+        const ReadResult result = read_text(text);
+        EXPECT_TRUE(result.ok) << text;
+        std::string all;
+        for (const Message& message : result.report.warnings) all += message.text;
+        return all;
+    };
+    const std::string wanted =
+        "there are more values than the card has fields: those behind the last field are not read";
+    EXPECT_NE(warnings("*CONTROL_TERMINATION\n1.,9,,,,,,5\n").find(wanted), std::string::npos);
+    EXPECT_NE(warnings("*NODE\n1,0.,0.,0.,0,0,7\n").find(wanted), std::string::npos);
+    EXPECT_EQ(warnings("*CONTROL_TERMINATION\n1.,9,,,,,,\n").find(wanted), std::string::npos);
 }
 
 } // namespace plash
