@@ -245,12 +245,12 @@ TEST(RigidDecks, JointFromDeckHoldsTwoCubesTogether)
     EXPECT_LT(run.scene->ledger.balance_error(), 1e-6);
 }
 
-/// Two cubes that a locking joint holds together, the second pulled along x by 4 t and lifted by t: move as
-/// one body of both.
+/// Two cubes that a locking joint holds together, a corner of the second pulled along x by 4 t and lifted by
+/// t: they move as one body of both.
 TEST(RigidDecks, LockingJointMakesOneBodyOfTwo)
 {
     const std::string loads =
-        "*DEFINE_CURVE\n2\n0.0,0.0\n10.0,10.0\n*LOAD_RIGID_BODY\n2,1,2,4.0\n2,3,2,1.0\n";
+        "*DEFINE_CURVE\n2\n0.0,0.0\n10.0,10.0\n*LOAD_NODE_POINT\n17,1,2,4.0\n17,3,2,1.0\n";
     const std::string joint =
         "*NODE\n41,2.0,0.5,0.5\n42,2.0,0.5,0.5\n*CONSTRAINED_EXTRA_NODES_NODE\n1,41\n2,42\n"
         "*CONSTRAINED_JOINT_LOCKING\n41,42,41,42,41,42\n";

@@ -148,7 +148,7 @@ TEST(StructuralLimits, FoamThatGoesAskewIsNamed)
 TEST(StructuralLimits, AHundredSolidsTearInOneCycle)
 {
     DeckRun run(pulled_block());
-    std::vector<std::size_t> lost;
+    std::vector<long> lost;
     double start = 0, last = 0;
     run.watch([&](const Clock& clock, const State& state) {
         last = 0;
@@ -157,7 +157,7 @@ TEST(StructuralLimits, AHundredSolidsTearInOneCycle)
         if (lost.empty() || lost.back() != state.deletions) lost.push_back(state.deletions);
     });
     run.go();
-    EXPECT_EQ(lost, (std::vector<std::size_t>{0, 100}));
+    EXPECT_EQ(lost, (std::vector<long>{0, 100}));
     EXPECT_NEAR(last, start, 1e-12 * start);
     EXPECT_LT(run.scene->ledger.balance_error(), 1e-3);
 }

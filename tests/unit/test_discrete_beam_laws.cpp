@@ -133,6 +133,9 @@ TEST(DiscreteBeamLaws, SidDamperClosesItsOrificesAsThePistonPassesThem)
     table.values = {2, 0, 1.5, 7, 4, 0.5, 1, 0, 4.6, 0, 1, 0};
     table.lines = {1, 2, 3};
     material.tables.push_back(table);
+    Record with_inertia = material;
+    with_inertia.fields.push_back({"C3", 0.5, "", true, false, {}});
+    EXPECT_THROW(make_discrete_beam_law(with_inertia, model), DeckError);
     const auto law = make_discrete_beam_law(material, model);
     ASSERT_TRUE(law->along_nodes);
     EXPECT_NE(law->notice.find("segment of height H = 0.15"), std::string::npos) << law->notice;

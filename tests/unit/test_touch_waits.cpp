@@ -291,8 +291,8 @@ TEST(TouchWaits, NoPairTouchesBeforeItsPath)
                 const auto [first, last] = std::equal_range(pairs.node.begin(), pairs.node.end(), touch.node);
                 for (auto node = first; node != last; ++node) {
                     const std::size_t pair = node - pairs.node.begin();
-                    if (pairs.facet[pair] == touch.facet)
-                        EXPECT_LT(due[pair], path) << touch.node << " " << touch.facet;
+                    if (pairs.facet[pair] != touch.facet) continue;
+                    EXPECT_LT(due[pair], path) << touch.node << " " << touch.facet;
                 }
                 ++tested;
                 rims += std::min({touch.s, 1 - touch.s, touch.t, 1 - touch.t}) == 0;
