@@ -52,13 +52,6 @@ void add_group(const BeamPart& beams, State& state, std::vector<std::unique_ptr<
                     fmt::format("*{} is not supported for beams (part {})", material.keyword, part.id));
 }
 
-double volume_of_discrete(const Record& section)
-{
-    const double volume = section.real("VOL");
-    if (volume < 0) reject_field(section, "VOL", "the volume is negative");
-    return volume;
-}
-
 } // namespace
 
 void add_beam_masses(const BeamPart& beams, State& state)
@@ -70,7 +63,7 @@ void add_beam_masses(const BeamPart& beams, State& state)
         for (int end = 0; end < 2; ++end) state.mass[model.beams.nodes[element][end]] += mass_of_end;
     };
     if (is_discrete(model, part)) {
-        const double volume = volume_of_discrete(model.sections[part.section]);
+        const double volume = discrete_beam_volume(model.sections[part.section]);
         for (Index element : beams.elements) add(element, 0.5 * density * volume);
         return;
     }

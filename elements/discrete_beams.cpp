@@ -65,11 +65,17 @@ DiscreteBeams::DiscreteBeams(const BeamPart& its, State& state) : model_(its.mod
     }
 }
 
+double discrete_beam_volume(const Record& section)
+{
+    const double volume = section.real("VOL");
+    if (volume < 0) reject_field(section, "VOL", "the volume is negative");
+    return volume;
+}
+
 void DiscreteBeams::read_section(const Record& section)
 {
-    volume_ = section.real("VOL");
+    volume_ = discrete_beam_volume(section);
     inertia_ = section.real("INER");
-    if (volume_ < 0) reject_field(section, "VOL", "the volume is negative");
     if (inertia_ < 0) reject_field(section, "INER", "the inertia is negative");
     law_->area = section.real("CA/DOFN1");
     law_->length_offset = section.real("OFFSET/DOFN2");

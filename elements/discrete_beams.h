@@ -65,4 +65,8 @@ private:
     double stable_step_of(const Beam&, const DiscreteBeamPoint&, const State&) const;
 };
 
+/// VOL of *SECTION_BEAM, which with the density is the mass of a discrete beam [volume]. DeckError below
+/// zero.
+double discrete_beam_volume(const Record& section);
+
 } // namespace plash

@@ -97,9 +97,10 @@ inline Vector3<Lane> modal_lengths(const SolidModes<Lane>& position, const Tenso
 }
 
 /// Forces of the four modes by the assumed strain field of Belytschko & Bindeman (1993, ASQBI), which bends
-/// like an elastic beam when the coefficient is 1 and does not lock in shear or volume. axes    of the
-/// element length  of it along them (modal_lengths) way     what the modes have done [length], or their rates
-/// with `factor` the step
+/// like an elastic beam when the coefficient is 1 and does not lock in shear or volume.
+///
+/// axes     of the element; length  of it along them (modal_lengths)
+/// way      what the modes have done [length], or their rates where `factor` is the step
 template <class Lane>
 inline HourglassVectors<Lane> assumed_strain_stiffness(const SolidHourglass& control,
                                                        const Tensor3<Lane>& axes, const Vector3<Lane>& length,

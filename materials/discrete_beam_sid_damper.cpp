@@ -31,16 +31,6 @@ double continued(const Curve& curve, double x)
     return curve.ordinate[left] + slope * (x - at[left]);
 }
 
-double steepest_way(const Curve& curve)
-{
-    double steepest = 0;
-    for (std::size_t i = 0; i + 1 < curve.abscissa.size(); ++i) {
-        steepest = std::max(steepest, std::abs((curve.ordinate[i + 1] - curve.ordinate[i]) /
-                                               (curve.abscissa[i + 1] - curve.abscissa[i])));
-    }
-    return steepest;
-}
-
 /// Damper of side impact dummies: a piston (area A) drives fluid through orifices, which it covers one after
 /// the other. With V the rate of lengthening and s the shortening, the tensile force is
 ///     F = SF {K A V [C1 / A0 + C2 |V| RHOF ((A / (C A0))^2 - 1)] - f(s + S0) + V g(s + S0)}
@@ -93,7 +83,7 @@ public:
     }
     DiscreteFreedoms stiffness(const DiscreteBeamPoint&) const override
     {
-        return {std::max(stop_, scale_ * steepest_way(force_))};
+        return {std::max(stop_, scale_ * steepest_slope(force_))};
     }
     DiscreteFreedoms damping(const DiscreteBeamPoint& point) const override
     {

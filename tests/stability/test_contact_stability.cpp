@@ -89,6 +89,21 @@ void expect_calm(DeckRun& run, double fastest, double balance = 0.02)
     EXPECT_LT(run.scene->ledger.balance_error(), balance);
 }
 
+/// Runs a deck at whose end `count` nodes from `first` on still have their mean speed along x and their mean
+/// height.
+void expect_smooth_sliding(const std::string& deck, int first, int count, double speed, double height)
+{
+    DeckRun run(deck);
+    expect_calm(run, 5e4, 0.005);
+    double mean_speed = 0, rise = 0;
+    for (int i = 0; i < count; ++i) {
+        mean_speed += run.scene->state.velocity[run.node(first + i)].x / count;
+        rise += (run.scene->state.position[run.node(first + i)].z - height) / count;
+    }
+    EXPECT_NEAR(mean_speed, speed, 0.005 * speed) << "nothing caught";
+    EXPECT_NEAR(rise, 0, 0.1);
+}
+
 } // namespace
 
 /// Two sheets that cross at the start, at rest: they must stay as they are and not be blown apart.
@@ -156,15 +171,7 @@ TEST_P(ContactStability, CoplanarSlidingIsSmooth)
     deck.text += "*SET_NODE_LIST_GENERATE\n1\n1,375\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
                  "*LOAD_BODY_Z\n1,1.0\n*DEFINE_CURVE\n1\n0.0,9.81e3\n1.0,9.81e3\n" +
                  two_surfaces(GetParam()) + velocity_of_part(1, {2e4, 0, 0});
-    DeckRun run(deck.text);
-    expect_calm(run, 5e4, 0.005);
-    double speed = 0, height = 0;
-    for (int i = 0; i < 75; ++i) {
-        speed += run.scene->state.velocity[run.node(first + i)].x / 75;
-        height += (run.scene->state.position[run.node(first + i)].z - 7.5) / 75;
-    }
-    EXPECT_NEAR(speed, 2e4, 0.005 * 2e4) << "nothing caught";
-    EXPECT_NEAR(height, 0, 0.1);
+    expect_smooth_sliding(deck.text, first, 75, 2e4, 7.5);
 }
 
 /// A corner of a block is driven into the corner of a room of three walls and comes out again.
@@ -225,15 +232,7 @@ TEST_P(ContactStability, SheetsOfOneMeshSlide)
     deck.text += "*SET_NODE_LIST_GENERATE\n1\n1,225\n*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n"
                  "*LOAD_BODY_Z\n1,1.0\n*DEFINE_CURVE\n1\n0.0,9.81e4\n1.0,9.81e4\n" +
                  two_surfaces(GetParam()) + velocity_of_part(1, {2e4, 0, 0});
-    DeckRun run(deck.text);
-    expect_calm(run, 5e4, 0.005);
-    double speed = 0, height = 0;
-    for (int i = 0; i < 55; ++i) {
-        speed += run.scene->state.velocity[run.node(first + i)].x / 55;
-        height += (run.scene->state.position[run.node(first + i)].z - 1) / 55;
-    }
-    EXPECT_NEAR(speed, 2e4, 0.005 * 2e4) << "nothing caught";
-    EXPECT_NEAR(height, 0, 0.1);
+    expect_smooth_sliding(deck.text, first, 55, 2e4, 1);
 }
 
 /// Elements of 10 against elements of 1: momentum passes, no node of either side slips through.
