@@ -1,8 +1,8 @@
 #include "picture/diagram_file.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 
 namespace plash {
@@ -12,11 +12,10 @@ namespace {
 /// Diagrams of a file with this text.
 std::vector<Plot> diagrams_of(const std::string& text)
 {
-    const std::string path = (std::filesystem::temp_directory_path() / "plash_diagrams.txt").string();
+    const testing::TemporaryFolder folder;
+    const std::string path = folder / "diagrams.txt";
     std::ofstream(path) << text;
-    const std::vector<Plot> plots = read_diagrams(path);
-    std::filesystem::remove(path);
-    return plots;
+    return read_diagrams(path);
 }
 
 } // namespace

@@ -1,10 +1,10 @@
 #include "parser/read_model.h"
 #include "solver/explicit_loop.h"
 #include "solver/scene.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 
@@ -43,10 +43,10 @@ struct Scaled {
 
 Scaled run_bar(bool shells, double dt2ms)
 {
-    const auto path = std::filesystem::temp_directory_path() / fmt::format("plash_bar_{}.k", shells);
+    const testing::TemporaryFolder folder;
+    const std::string path = folder / "bar.k";
     std::ofstream(path) << bar_deck(shells, dt2ms);
-    const ReadResult read = read_model(path.string());
-    std::filesystem::remove(path);
+    const ReadResult read = read_model(path);
     EXPECT_TRUE(read.ok);
     Scene scene = make_scene(read.model);
     Recorders recorders;

@@ -1,4 +1,5 @@
 #include "tests/paths.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,8 @@ namespace plash {
 TEST(Report, MakesOneSelfContainedPageOfARun)
 {
     namespace fs = std::filesystem;
-    const fs::path directory = fs::temp_directory_path() / "plash_report_test";
+    const testing::TemporaryFolder folder;
+    const fs::path directory = folder / "run";
     const std::string deck = std::string(PLASH_SOURCE_DIR) + "/examples/first_drop/first_drop.k";
     const auto shell = [](const std::string& command) {
         return std::system((command + " > /dev/null").c_str());

@@ -1,4 +1,5 @@
 #include "tests/paths.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,8 @@ std::string bytes_of(const fs::path& path)
 /// Runs a deck with 1, 2 and 4 threads and compares every state of d3plot byte by byte.
 void expect_same_bits(const fs::path& deck)
 {
-    const fs::path root = fs::temp_directory_path() / fmt::format("plash_threads_{}", deck.stem().string());
+    const testing::TemporaryFolder folder;
+    const fs::path& root = folder.path();
     std::string first;
     for (int threads : {1, 2, 4}) {
         const fs::path directory = root / std::to_string(threads);
@@ -38,7 +40,6 @@ void expect_same_bits(const fs::path& deck)
         if (first.empty()) first = states;
         EXPECT_TRUE(states == first) << threads << " threads give other bits than one";
     }
-    fs::remove_all(root);
 }
 
 /// A clamped elastic plate of n x n shells that is hit by its own initial velocity, several patches large.
@@ -74,10 +75,10 @@ TEST(Threads, OneTwoAndFourGiveTheSameBitsForSolidsOnAWall)
 
 TEST(Threads, OneTwoAndFourGiveTheSameBitsForShells)
 {
-    const fs::path deck = fs::temp_directory_path() / "plash_plate.k";
+    const testing::TemporaryFolder folder;
+    const fs::path deck = folder / "plate.k";
     write_plate_deck(deck, 40);
     expect_same_bits(deck);
-    fs::remove(deck);
 }
 
 } // namespace plash
