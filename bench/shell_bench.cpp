@@ -8,6 +8,7 @@
 #include "elements/shell_group.h"
 #include "elements/shell_settings.h"
 #include "materials/piecewise_linear_plasticity.h"
+#include "tests/support/bare_state.h"
 
 #include <cstdlib>
 #include <fmt/format.h>
@@ -73,11 +74,7 @@ template <class Formulation>
 double measure(int n, int points, int cycles, double speed)
 {
     const Model model = plate(n);
-    State state;
-    state.position = model.nodes.position;
-    state.velocity.resize(state.size());
-    state.force.resize(state.size());
-    state.mass.resize(state.size());
+    State state = bare_state(model);
     state.need_rotation();
     const PiecewiseLinearPlasticity law = steel();
     ShellSettings settings;

@@ -225,19 +225,7 @@ std::unique_ptr<Term> make_laminate_shells(const ShellPart& part, ShellFormulati
     settings.rule.place.assign(places.size(), 0);
     settings.rule.weight.assign(places.size(), 1 / count);
     settings.points_fail = true;
-    const auto make = [&]<class Formulation>(Formulation) -> std::unique_ptr<Term> {
-        return std::make_unique<ShellGroup<Formulation, Laminate>>(part, state, std::move(settings),
-                                                                   std::move(law));
-    };
-    switch (formulation) {
-    case ShellFormulation::belytschko_tsay:
-        return make(BelytschkoTsay{});
-    case ShellFormulation::triangle:
-        return make(C0Triangle{});
-    case ShellFormulation::fully_integrated:
-        return make(FullyIntegratedShell{});
-    }
-    return nullptr;
+    return make_shells_of_settings(part, formulation, std::move(settings), std::move(law), state);
 }
 
 } // namespace plash

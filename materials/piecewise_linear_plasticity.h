@@ -3,6 +3,7 @@
 #include "materials/hardening.h"
 #include "materials/history.h"
 #include "materials/plastic_return.h"
+#include "materials/von_mises.h"
 #include "math/symmetric_tensor.h"
 #include "model/model.h"
 
@@ -62,14 +63,7 @@ struct PiecewiseLinearPlasticity {
     void update(SymmetricTensor<Lane>& stress, const SymmetricTensor<Lane>& increment,
                 HistoryView<Lane> history, double time_step) const
     {
-        const double twice_shear = 2 * shear_modulus();
-        const Lane volumetric = (bulk_modulus() - twice_shear / 3) * trace(increment);
-        stress.xx += volumetric + twice_shear * increment.xx;
-        stress.yy += volumetric + twice_shear * increment.yy;
-        stress.zz += volumetric + twice_shear * increment.zz;
-        stress.xy += twice_shear * increment.xy;
-        stress.yz += twice_shear * increment.yz;
-        stress.zx += twice_shear * increment.zx;
+        add_elastic_stress(stress, increment, shear_modulus(), bulk_modulus() - 2 * shear_modulus() / 3);
         const SymmetricTensor<Lane> deviatoric = deviator(stress);
         const Lane squared = 1.5 * contract(deviatoric, deviatoric);
         const auto yielding = squared > history[yield_bound] * history[yield_bound];
@@ -82,13 +76,7 @@ struct PiecewiseLinearPlasticity {
     void update_plane_stress(SymmetricTensor<Lane>& stress, SymmetricTensor<Lane>& increment,
                              HistoryView<Lane> history, double time_step) const
     {
-        const double plane = young_modulus / (1 - poisson_ratio * poisson_ratio);
-        const double twice_shear = 2 * shear_modulus();
-        stress.xx += plane * (increment.xx + poisson_ratio * increment.yy);
-        stress.yy += plane * (increment.yy + poisson_ratio * increment.xx);
-        stress.xy += twice_shear * increment.xy;
-        stress.yz += twice_shear * increment.yz;
-        stress.zx += twice_shear * increment.zx;
+        add_plane_elastic_stress(stress, increment, young_modulus, poisson_ratio);
         increment.zz = -poisson_ratio / (1 - poisson_ratio) * (increment.xx + increment.yy);
         const Lane shears = stress.xy * stress.xy + stress.yz * stress.yz + stress.zx * stress.zx;
         const Lane squared = stress.xx * stress.xx + stress.yy * (stress.yy - stress.xx) + 3.0 * shears;

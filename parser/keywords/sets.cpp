@@ -35,45 +35,21 @@ void start_set(const Record& record, const Block& block, Kind kind, std::vector<
     reading.pending_sets.push_back({kind, index, record, &block});
 }
 
-void start_node_set(const Record& record, const Block& block, Reading& reading)
+/// Translator of the sets of one kind.
+template <Kind kind, auto sets>
+void start_set_of(const Record& record, const Block& block, Reading& reading)
 {
-    start_set(record, block, Kind::node_set, reading.model.node_sets, reading);
+    start_set(record, block, kind, reading.model.*sets, reading);
 }
 
-void start_part_set(const Record& record, const Block& block, Reading& reading)
-{
-    start_set(record, block, Kind::part_set, reading.model.part_sets, reading);
-}
-
-void start_segment_set(const Record& record, const Block& block, Reading& reading)
-{
-    start_set(record, block, Kind::segment_set, reading.model.segment_sets, reading);
-}
-
-void start_shell_set(const Record& record, const Block& block, Reading& reading)
-{
-    start_set(record, block, Kind::shell_set, reading.model.shell_sets, reading);
-}
-
-void start_solid_set(const Record& record, const Block& block, Reading& reading)
-{
-    start_set(record, block, Kind::solid_set, reading.model.solid_sets, reading);
-}
-
-void start_beam_set(const Record& record, const Block& block, Reading& reading)
-{
-    start_set(record, block, Kind::beam_set, reading.model.beam_sets, reading);
-}
-
-void start_thick_shell_set(const Record& record, const Block& block, Reading& reading)
-{
-    start_set(record, block, Kind::tshell_set, reading.model.thick_shell_sets, reading);
-}
-
-void start_discrete_set(const Record& record, const Block& block, Reading& reading)
-{
-    start_set(record, block, Kind::discrete_set, reading.model.discrete_sets, reading);
-}
+constexpr auto start_node_set = start_set_of<Kind::node_set, &Model::node_sets>;
+constexpr auto start_part_set = start_set_of<Kind::part_set, &Model::part_sets>;
+constexpr auto start_segment_set = start_set_of<Kind::segment_set, &Model::segment_sets>;
+constexpr auto start_shell_set = start_set_of<Kind::shell_set, &Model::shell_sets>;
+constexpr auto start_solid_set = start_set_of<Kind::solid_set, &Model::solid_sets>;
+constexpr auto start_beam_set = start_set_of<Kind::beam_set, &Model::beam_sets>;
+constexpr auto start_thick_shell_set = start_set_of<Kind::tshell_set, &Model::thick_shell_sets>;
+constexpr auto start_discrete_set = start_set_of<Kind::discrete_set, &Model::discrete_sets>;
 
 constexpr Translator sets_table[] = {
     {"SET_NODE_LIST", Phase::sets, start_node_set},

@@ -2,6 +2,7 @@
 
 #include "elements/solid_groups.h"
 #include "solver/explicit_loop.h"
+#include "tests/support/bare_state.h"
 
 #include <cmath>
 #include <functional>
@@ -103,15 +104,7 @@ struct SolidBlock {
         }
     }
 
-    State state() const
-    {
-        State state;
-        state.position = model.nodes.position;
-        state.velocity.resize(state.size());
-        state.force.resize(state.size());
-        state.mass.resize(state.size());
-        return state;
-    }
+    State state() const { return bare_state(model); }
 };
 
 /// Solid results of all terms.

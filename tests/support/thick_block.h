@@ -1,6 +1,7 @@
 #pragma once
 
 #include "elements/thick_shell_groups.h"
+#include "tests/support/bare_state.h"
 #include "tests/support/solid_block.h"
 
 /// Small meshes of thick shells for tests.
@@ -37,10 +38,7 @@ struct ThickStep {
 
     ThickStep(const Model& model, int layers, const std::function<Vec3(const Vec3&)>& displacement)
     {
-        state.position = model.nodes.position;
-        state.velocity.resize(state.size());
-        state.force.resize(state.size());
-        state.mass.resize(state.size());
+        state = bare_state(model);
         groups = make_thick_shell_groups(model, state);
         for (std::size_t node = 0; node < state.size(); ++node) {
             const Vec3 u = displacement(model.nodes.position[node]);

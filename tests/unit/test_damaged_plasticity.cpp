@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace plash {
 
@@ -48,6 +51,30 @@ CompressionTension concrete(std::vector<std::pair<const char*, double>> more)
                 {{"RO", 7.8e-6}, {"E", sheet_young}, {"PR", sheet_poisson}, {"LCIDC", 2}, {"LCIDT", 3}});
     return CompressionTension::from_record(make_record("MAT_PLASTICITY_COMPRESSION_TENSION", std::move(more)),
                                            curves());
+}
+
+/// Stress and plastic strain after 200 steps, each with the side strain that leaves yy free of stress.
+/// take  update of a stress and a history by a step with this side strain
+std::pair<SymmetricTensor<double>, double>
+walk_uniaxially(const std::function<void(SymmetricTensor<double>&, HistoryView<double>, double)>& take)
+{
+    std::array<double, CompressionTension::history_size + 1> history{};
+    SymmetricTensor<double> stress{};
+    for (int i = 0; i < 200; ++i) {
+        double low = -1e-3, high = 1e-3;
+        SymmetricTensor<double> end{};
+        auto end_history = history;
+        for (int k = 0; k < 60; ++k) {
+            const double side = 0.5 * (low + high);
+            end = stress;
+            end_history = history;
+            take(end, HistoryView<double>{end_history.data()}, side);
+            (end.yy > 0 ? high : low) = side;
+        }
+        stress = end;
+        history = end_history;
+    }
+    return {stress, history[0]};
 }
 
 /// Plastic strain and flow stress of a simple shear g: g / sqrt(3) = p + (first + slope p) / 3 G.
@@ -140,24 +167,11 @@ TEST(CompressionTension, HasOneCurveForEachSign)
 {
     const CompressionTension law = concrete({});
     for (const double sign : {1.0, -1.0}) {
-        std::array<double, CompressionTension::history_size + 1> history{};
-        SymmetricTensor<double> stress{};
-        for (int i = 0; i < 200; ++i) {
-            double low = -1e-3, high = 1e-3;
-            SymmetricTensor<double> end{};
-            auto end_history = history;
-            for (int k = 0; k < 60; ++k) {
-                const double side = 0.5 * (low + high);
-                end = stress;
-                end_history = history;
-                law.update(end, SymmetricTensor<double>{sign * 1e-4, side, side, 0, 0, 0},
-                           HistoryView<double>{end_history.data()}, 1.0);
-                (end.yy > 0 ? high : low) = side;
-            }
-            stress = end;
-            history = end_history;
-        }
-        const double p = history[0], flow = sign > 0 ? 0.2 + 0.1 * p : 0.5 + 0.2 * p;
+        const auto [stress, p] =
+            walk_uniaxially([&](SymmetricTensor<double>& end, HistoryView<double> history, double side) {
+                law.update(end, SymmetricTensor<double>{sign * 1e-4, side, side, 0, 0, 0}, history, 1.0);
+            });
+        const double flow = sign > 0 ? 0.2 + 0.1 * p : 0.5 + 0.2 * p;
         EXPECT_NEAR(stress.xx, sign * flow, 1e-9) << sign;
         EXPECT_NEAR(p, 0.02 - flow / sheet_young, 1e-6) << sign;
     }
@@ -190,25 +204,13 @@ TEST(CompressionTension, RateScalesTheFlowStress)
 TEST(CompressionTension, PressedAsAShellPointFollowsItsCurve)
 {
     const CompressionTension law = concrete({});
-    std::array<double, CompressionTension::history_size + 1> history{};
-    SymmetricTensor<double> stress{};
-    for (int i = 0; i < 200; ++i) {
-        double low = -1e-3, high = 1e-3;
-        SymmetricTensor<double> end{};
-        auto end_history = history;
-        for (int k = 0; k < 60; ++k) {
-            const double side = 0.5 * (low + high);
-            end = stress;
-            end_history = history;
+    const auto [stress, p] =
+        walk_uniaxially([&](SymmetricTensor<double>& end, HistoryView<double> history, double side) {
             SymmetricTensor<double> increment{-1e-4, side, 0, 0, 0, 0};
-            law.update_plane_stress(end, increment, HistoryView<double>{end_history.data()}, 1.0);
-            (end.yy > 0 ? high : low) = side;
-        }
-        stress = end;
-        history = end_history;
-    }
-    EXPECT_NEAR(stress.xx, -(0.5 + 0.2 * history[0]), 1e-9);
-    EXPECT_NEAR(history[0], 0.02 + stress.xx / sheet_young, 1e-6);
+            law.update_plane_stress(end, increment, history, 1.0);
+        });
+    EXPECT_NEAR(stress.xx, -(0.5 + 0.2 * p), 1e-9);
+    EXPECT_NEAR(p, 0.02 + stress.xx / sheet_young, 1e-6);
 }
 
 } // namespace plash

@@ -118,31 +118,7 @@ TEST(GeologicCap, RefusesWhatItDoesNotHave)
 
 TEST(GeologicCap, LanesEqualTheScalarReference)
 {
-    const GeologicCap law = cap_model();
-    Lanes history[GeologicCap::history_size] = {Lanes{}, broadcast<Lanes>(law.first_kappa)};
-    SymmetricTensor<Lanes> stress{};
-    std::vector<testing::DrivenPoint<GeologicCap>> points(lane_count, testing::DrivenPoint(law));
-    for (int step = 0; step < 40; ++step) {
-        SymmetricTensor<Lanes> increment{};
-        for (int lane = 0; lane < lane_count; ++lane) {
-            const double size = 3e-3 * std::sin(0.3 * step + lane);
-            const SymmetricTensor<double> one{-size,      0.3 * size,  -2e-3,
-                                              0.5 * size, -0.2 * size, 0.1 * lane * size};
-            points[lane].strain(one);
-            increment.xx[lane] = one.xx;
-            increment.yy[lane] = one.yy;
-            increment.zz[lane] = one.zz;
-            increment.xy[lane] = one.xy;
-            increment.yz[lane] = one.yz;
-            increment.zx[lane] = one.zx;
-        }
-        law.update(stress, increment, HistoryView<Lanes>{history}, 1.0);
-    }
-    for (int lane = 0; lane < lane_count; ++lane) {
-        EXPECT_NEAR(stress.xx[lane], points[lane].stress.xx, 1e-13);
-        EXPECT_NEAR(stress.zx[lane], points[lane].stress.zx, 1e-13);
-        EXPECT_NEAR(history[GeologicCap::kappa][lane], points[lane].history[GeologicCap::kappa], 1e-13);
-    }
+    testing::expect_lanes_as_points(cap_model(), 3e-3, 1e-13);
 }
 
 } // namespace plash

@@ -126,33 +126,7 @@ TEST(SoilFoam, ReadsCompactionOfEitherSignAndRefusesMixedOnes)
 
 TEST(SoilFoam, LanesEqualTheScalarReference)
 {
-    const SoilFoam soil = sand();
-    Lanes history[SoilFoam::history_size] = {};
-    SymmetricTensor<Lanes> stress{};
-    std::array<testing::DrivenPoint<SoilFoam>, lane_count> points{
-        testing::DrivenPoint(soil), testing::DrivenPoint(soil), testing::DrivenPoint(soil),
-        testing::DrivenPoint(soil), testing::DrivenPoint(soil), testing::DrivenPoint(soil),
-        testing::DrivenPoint(soil), testing::DrivenPoint(soil)};
-    for (int step = 0; step < 40; ++step) {
-        SymmetricTensor<Lanes> increment{};
-        for (int lane = 0; lane < lane_count; ++lane) {
-            const double size = 1e-3 * std::sin(0.3 * step + lane);
-            const SymmetricTensor<double> one{-size,      0.3 * size,  -1e-3,
-                                              0.5 * size, -0.2 * size, 0.1 * lane * size};
-            points[lane].strain(one);
-            increment.xx[lane] = one.xx;
-            increment.yy[lane] = one.yy;
-            increment.zz[lane] = one.zz;
-            increment.xy[lane] = one.xy;
-            increment.yz[lane] = one.yz;
-            increment.zx[lane] = one.zx;
-        }
-        soil.update(stress, increment, HistoryView<Lanes>{history}, 1.0);
-    }
-    for (int lane = 0; lane < lane_count; ++lane) {
-        EXPECT_NEAR(stress.xx[lane], points[lane].stress.xx, 1e-15);
-        EXPECT_NEAR(stress.zx[lane], points[lane].stress.zx, 1e-15);
-    }
+    testing::expect_lanes_as_points(sand(), 1e-3, 1e-15);
 }
 
 } // namespace plash

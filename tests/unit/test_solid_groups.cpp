@@ -1,4 +1,5 @@
 #include "core/run_error.h"
+#include "tests/support/bare_state.h"
 #include "tests/support/solid_block.h"
 
 #include <gtest/gtest.h>
@@ -18,11 +19,7 @@ Record steel(double density = 7850)
 
 std::string refusal(const Model& model)
 {
-    State state;
-    state.position = model.nodes.position;
-    state.velocity.resize(state.size());
-    state.force.resize(state.size());
-    state.mass.resize(state.size());
+    State state = bare_state(model);
     try {
         make_solid_groups(model, state);
     } catch (const DeckError& error) {

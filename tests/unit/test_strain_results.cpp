@@ -1,5 +1,6 @@
 #include "elements/shell_groups.h"
 #include "elements/solid_groups.h"
+#include "tests/support/bare_state.h"
 #include "tests/support/deck_run.h"
 #include "tests/support/shell_model.h"
 #include "tests/support/ten_node_block.h"
@@ -133,11 +134,7 @@ TEST(StrainResults, ShellsShowTheirInnermostAndOutermostPoints)
         model.controls.output.extent = {{"STRFLG", 1}};
         add_grid(model, 1, 1, [](int i, int j) { return Vec3{1.0 * i, 1.0 * j, 0}; });
         if (formulation == 4) cut_into_triangles(model);
-        State state;
-        state.position = model.nodes.position;
-        state.velocity.resize(state.size());
-        state.force.resize(state.size());
-        state.mass.resize(state.size());
+        State state = bare_state(model);
         state.need_rotation();
         auto groups = make_shell_groups(model, state);
         Clock clock;
@@ -224,11 +221,7 @@ TEST(StrainResults, BeginWhereTheDeckSays)
                     0,        0,        0,        0,        0,        0,        place};
     record.tables.push_back(table);
     model.others.push_back(record);
-    State shells;
-    shells.position = model.nodes.position;
-    shells.velocity.resize(4);
-    shells.force.resize(4);
-    shells.mass.resize(4);
+    State shells = bare_state(model);
     auto shell_groups = make_shell_groups(model, shells);
     results.shell_strain.resize(1);
     for (auto& group : shell_groups) group->collect(shells, results);
@@ -326,11 +319,7 @@ TEST(HistoryResults, OfDamageAreTheShareOfTheStressThatIsGone)
                                              {"EPPFR", onset + 0.1}}),
                                   {{"ELFORM", 2}, {"NIP", 2}, {"T1", 0.1}});
         add_grid(model, 1, 1, [](int i, int j) { return Vec3{1.0 * i, 1.0 * j, 0}; });
-        State state;
-        state.position = model.nodes.position;
-        state.velocity.resize(4);
-        state.force.resize(4);
-        state.mass.resize(4);
+        State state = bare_state(model);
         state.need_rotation();
         auto groups = make_shell_groups(model, state);
         follow(

@@ -1,5 +1,6 @@
 #include "elements/shell_groups.h"
 #include "elements/solid_groups.h"
+#include "tests/support/bare_state.h"
 #include "tests/support/shell_model.h"
 #include "tests/support/solid_block.h"
 
@@ -147,11 +148,7 @@ TEST(InitialStress, ShellsStartUnderTheirStress)
         };
         model.others.push_back(
             stress_card("INITIAL_STRESS_SHELL", "EID", 1, true, {row(-1, 0.02), row(1, 0.06)}));
-        State state;
-        state.position = model.nodes.position;
-        state.velocity.resize(state.size());
-        state.force.resize(state.size());
-        state.mass.resize(state.size());
+        State state = bare_state(model);
         auto groups = make_shell_groups(model, state);
         groups[0]->add_forces(Clock{}, state);
         const Vec3 along{c, s, 0}, across{-s, c, 0};

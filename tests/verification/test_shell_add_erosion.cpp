@@ -1,6 +1,7 @@
 #include "elements/beam_groups.h"
 #include "elements/shell_groups.h"
 #include "solver/explicit_loop.h"
+#include "tests/support/bare_state.h"
 #include "tests/support/beam_model.h"
 #include "tests/support/shell_model.h"
 
@@ -37,11 +38,7 @@ int cycles_until_lost(double formulation, Criteria criteria, const std::function
                       double bend = 0)
 {
     const Model model = square(formulation, criteria);
-    State state;
-    state.position = model.nodes.position;
-    state.velocity.resize(state.size());
-    state.force.resize(state.size());
-    state.mass.resize(state.size());
+    State state = bare_state(model);
     auto groups = make_shell_groups(model, state);
     Clock clock;
     clock.last_step = 1;
@@ -126,11 +123,7 @@ TEST(ShellAddErosion, ThinningBeyondTheLimitTakesAnElement)
     Model model = square(2, {{"EPSTHIN", 0.05}});
     model.materials[0] =
         make_record("MAT_PLASTIC_KINEMATIC", {{"RO", 1}, {"E", 1e5}, {"PR", 0.3}, {"SIGY", 1}});
-    State state;
-    state.position = model.nodes.position;
-    state.velocity.resize(state.size());
-    state.force.resize(state.size());
-    state.mass.resize(state.size());
+    State state = bare_state(model);
     auto groups = make_shell_groups(model, state);
     Clock clock;
     clock.last_step = 1;
@@ -156,11 +149,7 @@ TEST(BeamAddErosion, CriteriaHoldAtTheirLimits)
                 make_record("MAT_ELASTIC", {{"RO", 1}, {"E", 100}, {"PR", 0}}),
                 {{"ELFORM", formulation}, {"QR/IRID", 2}, {"TS1", 0.1}, {"TT1", 0.1}, {"A", 0.01}}, 1, 1);
             add_erosion(model, criteria);
-            State state;
-            state.position = model.nodes.position;
-            state.velocity.resize(state.size());
-            state.force.resize(state.size());
-            state.mass.resize(state.size());
+            State state = bare_state(model);
             auto groups = make_beam_groups(model, state);
             Clock clock;
             clock.last_step = 1;
@@ -238,11 +227,7 @@ TEST(ShellAddErosion, PliesRefuseIt)
     Model model = square(2, {{"MXEPS", 0.1}});
     model.materials[0] = make_record(
         "MAT_ORTHOTROPIC_ELASTIC", {{"RO", 1}, {"EA", 100}, {"EB", 10}, {"GAB", 5}, {"GBC", 5}, {"GCA", 5}});
-    State state;
-    state.position = model.nodes.position;
-    state.velocity.resize(state.size());
-    state.force.resize(state.size());
-    state.mass.resize(state.size());
+    State state = bare_state(model);
     EXPECT_THROW(make_shell_groups(model, state), DeckError);
 }
 

@@ -1,5 +1,6 @@
 #include "elements/shell_groups.h"
 #include "solver/explicit_loop.h"
+#include "tests/support/bare_state.h"
 #include "tests/support/shell_model.h"
 
 #include <gtest/gtest.h>
@@ -102,11 +103,7 @@ TEST(ShellErosion, ShellsGoWhenTheirStepFallsBelowDtmin)
         add_grid(model, 2, 1, [](int i, int j) { return Vec3{1.0 * i, 1.0 * j, 0}; });
         model.controls.time.smallest_step_factor = 0.2;
         model.controls.time.erode_small_shells = erode;
-        State state;
-        state.position = model.nodes.position;
-        state.velocity.resize(state.size());
-        state.force.resize(state.size());
-        state.mass.resize(state.size());
+        State state = bare_state(model);
         auto groups = make_shell_groups(model, state);
         ASSERT_EQ(groups.size(), 1u);
         Clock clock;

@@ -1,6 +1,7 @@
 #include "elements/shell_groups.h"
 #include "elements/shell_laminate.h"
 #include "solver/explicit_loop.h"
+#include "tests/support/bare_state.h"
 #include "tests/support/shell_model.h"
 
 #include <gtest/gtest.h>
@@ -220,11 +221,7 @@ TEST(ShellLaminate, PliesThinByTheirStress)
         model.parts[0].layers = {{0, 0.5, 0}, {0, 0.5, 90}};
         model.controls.elements.thickness_change = 1;
         add_grid(model, 1, 1, [](int i, int j) { return Vec3{1.0 * i, 1.0 * j, 0}; });
-        State state;
-        state.position = model.nodes.position;
-        state.velocity.resize(state.size());
-        state.force.resize(state.size());
-        state.mass.resize(state.size());
+        State state = bare_state(model);
         auto groups = make_shell_groups(model, state);
         Clock clock;
         clock.last_step = 1;

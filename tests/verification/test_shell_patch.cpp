@@ -4,6 +4,7 @@
 #include "elements/shell_triangle.h"
 #include "materials/elastic.h"
 #include "solver/explicit_loop.h"
+#include "tests/support/bare_state.h"
 #include "tests/support/shell_model.h"
 
 #include <gtest/gtest.h>
@@ -48,10 +49,7 @@ ElementResults deform(const Model& model, State& state, double time_step,
                       const std::function<Vec3(const Vec3&)>& displacement,
                       const std::function<Vec3(const Vec3&)>& rotation)
 {
-    state.position = model.nodes.position;
-    state.velocity.resize(state.size());
-    state.force.resize(state.size());
-    state.mass.resize(state.size());
+    state = bare_state(model);
     auto groups = make_shell_groups(model, state);
     for (std::size_t node = 0; node < state.size(); ++node) {
         const Vec3 u = displacement(model.nodes.position[node]);

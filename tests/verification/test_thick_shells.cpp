@@ -2,6 +2,7 @@
 #include "elements/shell_settings.h"
 #include "parser/read_model.h"
 #include "solver/explicit_loop.h"
+#include "tests/support/bare_state.h"
 #include "tests/support/each_cycle.h"
 #include "tests/support/history.h"
 #include "tests/support/shell_model.h"
@@ -216,10 +217,7 @@ struct ThickWalk {
 
     explicit ThickWalk(const Model& its_model) : model(its_model)
     {
-        state.position = model.nodes.position;
-        state.velocity.resize(state.size());
-        state.force.resize(state.size());
-        state.mass.resize(state.size());
+        state = bare_state(model);
         groups = make_thick_shell_groups(model, state);
         clock.last_step = 1;
     }
