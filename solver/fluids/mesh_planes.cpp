@@ -52,6 +52,11 @@ struct Interval {
     double begin, end;
     double size;                ///< wanted inside [length]
     std::vector<double> planes; ///< given ones, `begin` left away; empty: to be made
+    bool dry = false;           ///< no water stands in it
+
+    /// Thinner than half a cell, without water: its own layer of cells would set the step and the spacing of
+    /// coupling points for all.
+    bool sliver() const { return dry && end - begin < 0.5 * size; }
 };
 
 /// How far the mesh reaches along one axis.
@@ -104,7 +109,7 @@ std::vector<Interval> intervals_along(const std::vector<Body>& bodies, const std
     breaks = distinct_planes(std::move(breaks), precision);
     std::vector<Interval> intervals;
     for (std::size_t i = 1; i < breaks.size(); ++i) {
-        Interval interval{breaks[i - 1], breaks[i], unlimited, {}};
+        Interval interval{breaks[i - 1], breaks[i], unlimited, {}, false};
         const Body* finest = nullptr;
         for (const Body& body : bodies) {
             if (body.planes.front() > interval.begin + precision ||
@@ -125,6 +130,7 @@ std::vector<Interval> intervals_along(const std::vector<Body>& bodies, const std
     // Where no water stands: as fine as the water beside.
     for (std::size_t i = 0; i < intervals.size(); ++i) {
         if (intervals[i].size < unlimited) continue;
+        intervals[i].dry = true;
         if (i > 0) intervals[i].size = intervals[i - 1].size;
         for (std::size_t j = i + 1; j < intervals.size(); ++j) {
             if (intervals[j].size == unlimited) continue;
@@ -186,6 +192,11 @@ MeshPlanes mesh_planes(const Water& water, const std::vector<WaterWall>& walls, 
         planes.push_back(reach[0]);
         for (std::size_t i = 0; i < intervals.size(); ++i) {
             Interval& interval = intervals[i];
+            if (interval.sliver() && i == 0) continue; // the first cells of the next reach to the end
+            if (interval.sliver() && i + 1 == intervals.size()) {
+                planes.back() = interval.end;
+                continue;
+            }
             const double first = i > 0 ? limit(i, i - 1) : 0;
             const double last = i + 1 < intervals.size() ? limit(i, i + 1) : 0;
             const bool even = first == 0 && last == 0;

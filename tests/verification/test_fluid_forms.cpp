@@ -1,3 +1,4 @@
+#include "solver/fluids/mesh_planes.h"
 #include "solver/fluids/translate.h"
 #include "tests/paths.h"
 #include "tests/support/ale_deck.h"
@@ -167,6 +168,33 @@ TEST(FluidForms, OneMeshTakesParticlesAndTheSolidsAroundThem)
         }
     // 993.2 mm/s by the added mass (examples/wedge_drop/README.md); its change since the start is 97 mm/s.
     EXPECT_NEAR(-scene.state.velocity[0].y, 993.2, 0.05 * 97); // 4 % short; 1 % with 1.5 mm
+}
+
+/// Four boxes of water side by side along x between two walls: a gap of a fifth of a box makes no layer of
+/// thin cells, one of three fifths does.
+TEST(FluidForms, NarrowGapBesideTheWaterHasNoCellsOfItsOwn)
+{
+    Water water;
+    water.parts = {0};
+    for (int i = 0; i < 4; ++i)
+        water.pieces.push_back({0, box_corners({10.0 * i, 0, 0}, {10.0 * (i + 1), 10, 10}), 10});
+    water.low = {0, 0, 0};
+    water.high = {40, 10, 10};
+    water.smallest_size = 10;
+    const auto along_x = [&](double left, double right, double size) {
+        FluidChoice choice;
+        choice.size = size;
+        return mesh_planes(water, {{0, -left, true, 1, "left"}, {0, 40 + right, false, 1, "right"}}, choice,
+                           {}, none)[0];
+    };
+    EXPECT_EQ(along_x(2, 2, 0), (std::vector<double>{-2, 10, 20, 30, 42}));
+    EXPECT_EQ(along_x(6, 0, 0), (std::vector<double>{-6, 0, 10, 20, 30, 40}));
+    const std::vector<double> halved = along_x(2, 6, 5); // 42 in cells of about 5, and one of 6
+    ASSERT_EQ(halved.size(), 10u);
+    EXPECT_EQ(halved.front(), -2);
+    EXPECT_NEAR(halved[1] - halved[0], 42 / 8.0, 1e-12);
+    EXPECT_NEAR(halved[8], 40, 1e-12);
+    EXPECT_EQ(halved.back(), 46);
 }
 
 TEST(FluidForms, SolidsTakeTheLatticeOfParticlesAndAreTied)
