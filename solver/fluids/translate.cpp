@@ -1,6 +1,7 @@
 #include "solver/fluids/translate.h"
 
 #include "solver/fluids/old_water.h"
+#include "solver/fluids/rest.h"
 #include "solver/fluids/water_contacts.h"
 
 #include <algorithm>
@@ -46,35 +47,6 @@ void drop_mesh_keywords(Model& model)
     });
 }
 
-/// *INITIAL_HYDROSTATIC_ALE: water that is no mesh rests where the static start puts it
-/// (*CONTROL_DYNAMIC_RELAXATION IDRFLG = 5), with the loads of the frame that act in the run. A deck that
-/// asks for a phase of its own keeps it.
-void start_at_rest(Model& model, std::vector<std::string>& lines)
-{
-    const auto hydrostatic = [](const Record& record) {
-        return record.keyword.starts_with("INITIAL_HYDROSTATIC");
-    };
-    const auto found = std::find_if(model.others.begin(), model.others.end(), hydrostatic);
-    if (found == model.others.end()) return;
-    RelaxationControls& relaxation = model.controls.relaxation;
-    if (relaxation.active()) {
-        lines.push_back(fmt::format(
-            "*{} went; the run begins with the deck's own *CONTROL_DYNAMIC_RELAXATION", found->keyword));
-    } else {
-        relaxation.flag = 5;
-        relaxation.where = found->where;
-        std::vector<BodyLoad> also;
-        for (const BodyLoad& load : model.body_loads) {
-            if (load.phase != BodyLoad::Phase::of_curve) continue;
-            also.push_back(load);
-            also.back().phase = BodyLoad::Phase::relaxation;
-        }
-        model.body_loads.insert(model.body_loads.end(), also.begin(), also.end());
-        lines.push_back(fmt::format("*{} became a static start (IDRFLG = 5)", found->keyword));
-    }
-    std::erase_if(model.others, hydrostatic);
-}
-
 /// Rigid walls that have become sides of a mesh act on structures alone, or on nothing.
 void drop_walls(Model& model, const Water& water, const std::vector<bool>& orphan,
                 std::vector<std::string>& lines)
@@ -96,6 +68,7 @@ std::vector<std::string> to_mesh(Model& model, const FluidChoice& choice, const 
                         "the deck has an Eulerian mesh and other water beside it; --fluid ale makes one mesh "
                         "of water that has none yet");
     const std::vector<WaterWall> walls = walls_of(model, water, RigidWalls::all);
+    const std::vector<DepthStress> stresses = depth_stresses(model);
     const WaterContacts contacts(model, water);
     const std::vector<Vec3> structure = contacts.structure_points(model);
     const MeshPlanes planes = mesh_planes(water, walls, choice, structure, upward(model, water, structure));
@@ -107,6 +80,7 @@ std::vector<std::string> to_mesh(Model& model, const FluidChoice& choice, const 
     drop_walls(model, water, old.orphans(), lines);
     old.hand_over(made, lines);
     contacts.translate(model, FluidForm::ale, water, changed, made, lines);
+    rest_in_mesh(model, water, stresses, made, lines);
     if (std::none_of(model.others.begin(), model.others.end(),
                      [](const Record& record) { return record.keyword == "CONTROL_ALE"; }))
         model.others.push_back(made_record("CONTROL_ALE", choice.where, {{"METH", 2}}));
@@ -137,7 +111,7 @@ std::vector<std::string> to_elements(Model& model, const FluidChoice& choice, co
     std::vector<std::string> lines = std::move(made.lines);
     old.hand_over(made, lines);
     contacts.translate(model, form, water, changed, made, lines);
-    start_at_rest(model, lines);
+    rest_as_elements(model, lines);
     return lines;
 }
 

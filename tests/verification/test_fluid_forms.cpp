@@ -197,6 +197,29 @@ TEST(FluidForms, NarrowGapBesideTheWaterHasNoCellsOfItsOwn)
     EXPECT_EQ(halved.back(), 46);
 }
 
+/// Water of 200 mm whose solids begin with the stress of their depth rests as a mesh too: pressures are those
+/// of the depth, and nothing moves.
+TEST(FluidForms, StressOfTheDepthBecomesAHydrostaticStart)
+{
+    WaterDeck deck;
+    deck.gravity = 9.81;
+    deck.speed = 0;
+    deck.keel = [](double) { return 0.05; };
+    deck.end = 1e-3;
+    deck.more = "*INITIAL_STRESS_DEPTH\n1,9810,0.2,1\n";
+    FormRun run(deck.text(), "ale");
+    std::string lines;
+    for (const std::string& line : run.lines) lines += line + "\n";
+    EXPECT_TRUE(holds(lines, "*INITIAL_STRESS_DEPTH of the water became *INITIAL_HYDROSTATIC_ALE")) << lines;
+    const Fluid* fluid = nullptr;
+    for (const auto& term : run.scene->terms)
+        if (auto* eulerian = dynamic_cast<EulerianFluid*>(term.get())) fluid = &eulerian->fluid();
+    ASSERT_NE(fluid, nullptr);
+    run.go();
+    const double speed = std::sqrt(2 * fluid->energies().kinetic / fluid->total_mass(0)); // root mean square
+    EXPECT_LT(speed, 1e-6 * deck.gravity * deck.end);
+}
+
 TEST(FluidForms, SolidsTakeTheLatticeOfParticlesAndAreTied)
 {
     ReadResult read =
