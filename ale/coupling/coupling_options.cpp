@@ -88,6 +88,10 @@ CouplingOptions lagrange_in_solid(const Model& model, const Record& record, cons
     options.points_per_edge = static_cast<int>(record.integer("NQUAD"));
     options.least_fraction = value_or(record.real("FRCMIN"), 0.5);
     options.turned = record.integer("NORM") == 1;
+    const double thickness = record.real("THKF");
+    options.with_thickness = thickness != 0;
+    if (thickness < 0) options.structure.thickness = -thickness;
+    if (thickness > 0) options.structure.thickness_scale = thickness;
     options.damping = record.real("DAMP");
     options.both_sides = record.integer("BOTHSIDES") == 1;
     options.contact = record.integer("CONTACT");

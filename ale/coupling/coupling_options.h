@@ -25,8 +25,9 @@ struct CouplingOptions {
     double damping = 0;                      ///< DAMP, share of critical
     double least_fraction = 0.5;             ///< FRCMIN
     double leak_control =
-        0;               ///< ILEAK, PLEAK: share of what stands behind the surface that a cycle takes back
-    bool turned = false; ///< NORM, FLIP: normals point away from the fluid
+        0; ///< ILEAK, PLEAK: share of what stands behind the surface that a cycle takes back
+    bool with_thickness = false;     ///< THKF: the fluid meets shells half their thickness before their plane
+    bool turned = false;             ///< NORM, FLIP: normals point away from the fluid
     int points_per_edge = 0;         ///< NQUAD; more are taken where segments are long. 0: as many as needed
     unsigned fluids = ~0u;           ///< MCOUP: bit g for fluid g
     double start = 0, end = forever; ///< [time]

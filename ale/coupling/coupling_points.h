@@ -38,6 +38,11 @@ public:
     {
         return surface_.segments[places_[point].segment].nodes;
     }
+    /// How far from the segment's plane the fluid meets it [length].
+    double half_thickness(std::size_t point) const
+    {
+        return surface_.segments[places_[point].segment].half_thickness;
+    }
     /// The points of a segment: from its first to that of the next one.
     std::size_t first_point(std::size_t segment) const { return first_[segment]; }
     Motion motion(std::size_t point, const State& state) const;

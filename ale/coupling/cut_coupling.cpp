@@ -364,7 +364,7 @@ std::vector<std::string> CutCoupling::notices(const State&) const
 {
     return {
         "CUTCELLS of *PLASH_ALE_FORMULATION: the fluid meets the surface in the cells that it cuts, without "
-        "springs; PFAC, DAMP, NQUAD, FRCMIN, DIREC, ILEAK and PLEAK of the coupling have no effect"};
+        "springs; PFAC, DAMP, NQUAD, FRCMIN, DIREC, ILEAK, PLEAK and THKF of the coupling have no effect"};
 }
 
 void check_cut_coupling(const CoupledSurface& surface, const EulerianFluid& fluid)

@@ -104,15 +104,17 @@ double FluidCoupling::share_behind(const MeshPoint& at, const Vec3& normal) cons
 /// Whether fluid may stand at the points of a segment.
 bool FluidCoupling::is_near(std::size_t segment, const State& state) const
 {
-    if (!is_exposed(points_.surface().segments[segment], state)) return false;
-    const auto& nodes = points_.surface().segments[segment].nodes;
+    const Segment& own = points_.surface().segments[segment];
+    if (!is_exposed(own, state)) return false;
+    const auto& nodes = own.nodes;
     Vec3 low = state.position[nodes[0]], high = low;
     for (const Index node : nodes) {
         const Vec3& x = state.position[node];
         low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
         high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
     }
-    return !fluid_.fluid().dry_around(low, high, cell_[points_.first_point(segment)], options_.fluids);
+    const Vec3 reach{own.half_thickness, own.half_thickness, own.half_thickness};
+    return !fluid_.fluid().dry_around(low - reach, high + reach, cell_[points_.first_point(segment)], options_.fluids);
 }
 
 /// Lists the points at which fluid may stand; most points of most surfaces are far from any. What those that
@@ -167,9 +169,9 @@ void FluidCoupling::look(std::size_t point, const State& state)
     touch.area = norm(motion.area);
     if (!(touch.area > 0)) return;
     touch.normal = ((options_.turned ? -1 : 1) / touch.area) * motion.area;
-    touch.position = motion.position;
+    touch.position = motion.position + points_.half_thickness(point) * touch.normal;
     const Fluid& fluid = fluid_.fluid();
-    const MeshPoint at = touch.place = fluid.locate(motion.position, cell_[point]);
+    const MeshPoint at = touch.place = fluid.locate(touch.position, cell_[point]);
     if (!at.inside) return;
     cell_[point] = at.cell;
     // A point that holds fluid lets it go later than it took it: what has come through would be lost with the
@@ -549,6 +551,7 @@ make_fluid_couplings(const Model& model, const std::vector<EulerianFluid*>& flui
             const auto takes_part = [&](Index solid) { return options.mesh_parts[model.solids.part[solid]]; };
             if (!std::any_of(solids.begin(), solids.end(), takes_part)) continue;
             found = true;
+            surface_options.thickness_option = options.with_thickness ? 2 : 0;
             Surface surface = make_surface(model, parts, options.structure, surface_options);
             if (surface.segments.empty())
                 throw DeckError(options.where, fmt::format("coupling {}: its structure has no shells and no "

@@ -27,14 +27,15 @@ struct Piston {
     double pressure = 0, expected = 0, energy_error = 0;
 };
 
-Piston push(const std::string& coupling, double speed)
+/// place  of the plane of its shells [length]
+Piston push(const std::string& coupling, double speed, double place = 0.2)
 {
     constexpr double density = 1000, sound = 1500, side = 0.02, end = 3e-4;
     int first = 100000;
     EulerianRun run(testing::structured_mesh({0, 0, 0}, {1, side, side}, {100, 2, 2}) +
                     testing::liquid_and_void(density, sound) +
                     testing::liquid_in_box({0.2, 0, 0}, {1, side, side}) + rigid_part(7800, 5, 7, coupling) +
-                    testing::shell_patch(20, first, {0.2, 0, 0}, {0, side, 0}, {0, 0, side}, 1, 1) +
+                    testing::shell_patch(20, first, {place, 0, 0}, {0, side, 0}, {0, 0, side}, 1, 1) +
                     fmt::format("*BOUNDARY_PRESCRIBED_MOTION_RIGID\n20,1,0,2\n*DEFINE_CURVE\n2\n0,{}\n1,{}\n",
                                 speed, speed) +
                     testing::closed(end));
@@ -380,6 +381,18 @@ TEST(AleCoupling, PistonFeelsThePressureBehindTheShock)
         EXPECT_NEAR(piston.pressure / piston.expected, 1 - missing, 0.02) << form.options;
         EXPECT_LT(piston.energy_error, 1e-6) << form.options;
     }
+}
+
+/// Shells of 10 mm: with THKF the water meets their face, with their thickness, twice it, or 4 mm.
+TEST(AleCoupling, ThickPistonPushesWithItsFace)
+{
+    const std::string penalty = "2,4,2,1\n0,0,0.1,0,0.3", thick = penalty + "\n0\n0,0,0,0,0,0,";
+    const double thin = push(penalty, 5).pressure;
+    EXPECT_NEAR(push(thick + "1", 5, 0.195).pressure, thin, 1e-9 * thin);
+    EXPECT_NEAR(push(thick + "2", 5, 0.19).pressure, thin, 1e-9 * thin);
+    EXPECT_NEAR(push(thick + "-0.004", 5, 0.198).pressure, thin, 1e-9 * thin);
+    EXPECT_NEAR(push(thick + "4", 5, 0.18).pressure, thin, 1e-9 * thin);
+    EXPECT_EQ(push(penalty, 5, 0.18).pressure, 0); // its plane does not reach the water
 }
 
 namespace {
