@@ -371,6 +371,53 @@ TEST(RigidDecks, GeneralizedWeldFailsAtItsStrength)
                          3, 4);
 }
 
+/// Masses 2 and 1 in a row and one more card, that of a weld with the axes 7: global ones (local y along z
+/// when the normal of a butt weld stands across the pull).
+std::string two_masses(bool pulled_across, const std::string& weld)
+{
+    return "*NODE\n51,0.0,9.0,0.0\n52,2.0,9.0,0.0\n*ELEMENT_MASS\n1,51,2.0\n2,52,1.0\n*SET_NODE_LIST\n5\n51,"
+           "52\n"
+           "*DEFINE_COORDINATE_SYSTEM\n" +
+           std::string(pulled_across ? "7,0.0,0.0,0.0,0.0,1.0,0.0\n0.0,0.0,1.0\n"
+                                     : "7,0.0,0.0,0.0,1.0,0.0,0.0\n0.0,1.0,0.0\n") +
+           "*CONSTRAINED_GENERALIZED_WELD_" + weld;
+}
+
+/// The area is 1 (2.0 times 0.5), so stresses are the force of 2 at which the weld has to break.
+TEST(RigidDecks, ButtWeldFailsByTheStressInItsPlane)
+{
+    // Pulled open: BETA times 2.
+    expect_weld_to_break(two_masses(false, "BUTT\n5,7\n0.0,0.0,3.0,1.5,2.0,0.5\n"), 2, 3);
+    // Sheared: the square root of 3 times 2.
+    expect_weld_to_break(two_masses(true, "BUTT\n5,7\n0.0,0.0,3.4641016,1.0,2.0,0.5\n"), 2, 3);
+}
+
+/// A throat turned by 30 degrees: sigma_n = 2 sin 30, tau_n = 2 cos 30, together the square root of 10.
+TEST(RigidDecks, FilletWeldFailsByTheStressInItsThroat)
+{
+    expect_weld_to_break(two_masses(false, "FILLET\n5,7\n0.0,0.0,3.1622777,1.0,2.0,9.0,0.5,30.0\n"), 2, 3);
+}
+
+TEST(RigidDecks, ButtWeldHoldsUnderPressure)
+{
+    DeckRun run(with_card(cubes, "0,0,0") + two_masses(false, "BUTT\n5,7\n0.0,0.0,3.0,1.5,2.0,0.5\n") +
+                "*DEFINE_CURVE\n2\n0.0,0.0\n10.0,40.0\n*LOAD_NODE_POINT\n52,1,2,-1.0\n*END\n");
+    ASSERT_EQ(run.error, "");
+    const State& state = run.scene->state;
+    const Index last = run.read.model.nodes.size() - 1;
+    EXPECT_NEAR(state.velocity[last].x, -2.0 / 3, 1e-2) << "momentum 2 t^2 of both at t = 1";
+    EXPECT_NEAR(state.velocity[last - 1].x, state.velocity[last].x, 1e-12);
+}
+
+TEST(RigidDecks, WeldsInAPlaneNeedItsAxesAndItsArea)
+{
+    const auto error = [](const std::string& weld) {
+        return DeckRun(with_card(cubes, "0,0,0") + two_masses(false, weld) + "*END\n").error;
+    };
+    EXPECT_NE(error("BUTT\n5,0\n0.0,0.0,3.0,1.5,2.0,0.5\n").find("field CID"), std::string::npos);
+    EXPECT_NE(error("FILLET\n5,7\n0.0,0.0,3.0,1.5,2.0,0.5\n").find("width A = 0"), std::string::npos);
+}
+
 /// _INERTIA and _SPC together, in either order: mass, center and inertia of the card, held along x and about
 /// z.
 TEST(RigidDecks, NodalBodiesWithInertiaAndSupports)
