@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace plash {
@@ -302,6 +303,48 @@ TEST(TouchWaits, NoPairTouchesBeforeItsPath)
     EXPECT_GT(tested, 10000u);
     EXPECT_GT(rims, 500u);
     EXPECT_GT(std::count_if(due.begin(), due.end(), [](double one) { return one > 0; }), 0.5 * due.size());
+}
+
+/// Inside a block, below a valley of its faces, the edge at the bottom is touched from behind as soon as it
+/// is closer than the faces beside it. From under one of them that is a short way, far shorter than the one
+/// to the face beyond the edge: nothing but the wait at rims bounds it.
+TEST(TouchWaits, RimsOfValleysAreNotTouchedBeforeTheirPath)
+{
+    std::size_t waited = 0;
+    for (const double angle : {1.0, 3.0, 10.0, 20.0}) { // off the plane in which edge and face are as close
+        for (const double radius : {0.1, -0.1, 0.2, -0.2, 0.4, -0.4}) { // below either face
+            Moved set;
+            const Index block = set.built.add_part(1, 210, 0), other = set.built.add_part(1, 210, 0);
+            set.built.add_block(block, {-1, -1, -2}, {1, 1, 0}, {2, 2, 1});
+            for (Vec3& place : set.built.model.nodes.position)
+                if (std::abs(place.x) < 1e-9 && place.z > -1) place.z = -1;
+            const Vec3 edge{0, 0.4, -1};
+            const auto below = [&](double degrees) { // 45: where edge and face are as close
+                const double turn = (45 + degrees) * std::numbers::pi / 180;
+                return edge + Vec3{radius * std::sin(turn), 0, -std::abs(radius) * std::cos(turn)};
+            };
+            Index probe = set.built.add_node(below(angle));
+            set.built.add_shell(other, {probe, set.built.add_node({0, 0, 50}), set.built.add_node({0, 1, 50}),
+                                        set.built.add_node({1, 0, 50})});
+            set.finish();
+            probe = set.number[probe];
+            Followed waits(set);
+            waits.find(set);
+            waits.find(set); // the touch of the first cycle had all be looked at anew
+            for (const double past : {0.02, 0.5, 10.0}) {
+                set.motion.position.own()[probe] = below(-past);
+                const double path = norm(below(-past) - below(angle));
+                Followed looks(set);
+                looks.find(set, true);
+                for (const Touch& touch : looks.table.list(set.mesh, set.motion).all) {
+                    if (touch.node != probe) continue;
+                    EXPECT_LT(waits.wait(probe, touch.facet), path) << angle << " " << radius << " " << past;
+                    waited += waits.wait(probe, touch.facet) > 0;
+                }
+            }
+        }
+    }
+    EXPECT_GT(waited, 20u) << "pairs that were told to wait at all";
 }
 
 /// What moves here is no path of what is there: pairs of the far body wait on, and go on with the same
