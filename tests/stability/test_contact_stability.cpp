@@ -101,7 +101,7 @@ void expect_smooth_sliding(const std::string& deck, int first, int count, double
         rise += (run.scene->state.position[run.node(first + i)].z - height) / count;
     }
     EXPECT_NEAR(mean_speed, speed, 0.005 * speed) << "nothing caught";
-    EXPECT_NEAR(rise, 0, 0.1);
+    EXPECT_NEAR(rise, 0, 1e-3) << "at most a twentieth of free fall";
 }
 
 } // namespace
@@ -157,7 +157,9 @@ TEST_P(ContactStability, NodesOnEdgesAndCornersBounce)
         deck.text += two_surfaces(GetParam()) + velocity_of_part(1, {0, 0, -5e3});
         DeckRun run(deck.text);
         expect_calm(run, 5e4);
-        EXPECT_GT(run.scene->state.velocity[run.node(82)].z, -5e3) << "turned back";
+        double speed = 0;
+        for (int i = 0; i < 125; ++i) speed += run.scene->state.velocity[run.node(82 + i)].z / 125;
+        EXPECT_GT(speed, -1e3) << "the sheet has taken four fifths of its momentum";
     }
 }
 
