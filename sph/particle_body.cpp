@@ -5,6 +5,7 @@
 #include "core/run_error.h"
 #include "sph/array_sorter.h"
 #include "sph/pair_passes.h"
+#include "sph/particle_checks.h"
 #include "sph/rings.h"
 
 #include <algorithm>
@@ -479,7 +480,7 @@ StepVote ParticleBody::stable_step() const
 }
 
 /// Pairs that are weighed by masses take the density of a neighbour for their own.
-std::vector<std::string> ParticleBody::notices(const State&) const
+std::vector<std::string> ParticleBody::notices(const State& state) const
 {
     std::vector<std::string> lines;
     if (hosts_.any()) {
@@ -487,6 +488,9 @@ std::vector<std::string> ParticleBody::notices(const State&) const
                                     model_.particles.size() - model_.stand_ins.front().first,
                                     model_.stand_ins.size()));
     }
+    for (std::string& line : mass_notices(model_, parts_, options_.dimension))
+        lines.push_back(std::move(line));
+    for (std::string& line : contact_notices(model_, state, parts_)) lines.push_back(std::move(line));
     if (options_.volume_weighted || !options_.parts_interact) return lines;
     const auto density_of = [](const ParticlePart& part) {
         return part.constants.density * part.law->initial_compression();

@@ -16,6 +16,25 @@ const Record* find(const Model& model, std::string_view keyword)
     return nullptr;
 }
 
+/// What a FORM of *CONTROL_SPH means that particles here do not have, for the message.
+const char* meaning_of_form(Id form)
+{
+    switch (form) {
+    case 7:
+    case 8:
+        return " (total Lagrangian: kernels on the places of the start)";
+    case 9:
+    case 10:
+        return " (adaptive SPH: ellipsoids for kernels, as *SECTION_SPH_ELLIPSE and _TENSOR give them, which "
+               "turn "
+               "and stretch with the flow; here they are spheres)";
+    case 13:
+        return " (implicit and incompressible)";
+    default:
+        return "";
+    }
+}
+
 /// FORM of *CONTROL_SPH. Plash's pair forces are symmetric in all of them, so forms that differ by that alone
 /// are one (docs/sph.md).
 void read_form(const Record& control, ParticleOptions& options)
@@ -44,7 +63,8 @@ void read_form(const Record& control, ParticleOptions& options)
         return;
     default:
         reject_field(control, "FORM",
-                     fmt::format("form {} is not supported; there are 0 to 6, 12, 15 and 16", form));
+                     fmt::format("form {}{} is not supported; there are 0 to 6, 12, 15 and 16", form,
+                                 meaning_of_form(form)));
     }
 }
 

@@ -215,8 +215,17 @@ TEST(SphDeck, PartsComeAndGoWithTheirSection)
 
 TEST(SphDeck, SaysWhatIsWrong)
 {
-    EXPECT_EQ(testing::complaint_about(plate_deck("7", "*CONTROL_SPH\n1,,,2,,7\n")),
-              "*CONTROL_SPH, field FORM: form 7 is not supported; there are 0 to 6, 12, 15 and 16");
+    EXPECT_EQ(
+        testing::complaint_about(plate_deck("7", "*CONTROL_SPH\n1,,,2,,7\n")),
+        "*CONTROL_SPH, field FORM: form 7 (total Lagrangian: kernels on the places of the start) is not "
+        "supported; there are 0 to 6, 12, 15 and 16");
+    EXPECT_EQ(
+        testing::complaint_about(plate_deck("7", "*CONTROL_SPH\n1,,,2,,9\n")),
+        "*CONTROL_SPH, field FORM: form 9 (adaptive SPH: ellipsoids for kernels, as *SECTION_SPH_ELLIPSE and "
+        "_TENSOR give them, which turn and stretch with the flow; here they are spheres) is not supported; "
+        "there are 0 to 6, 12, 15 and 16");
+    EXPECT_EQ(testing::complaint_about(plate_deck("7", "*CONTROL_SPH\n1,,,2,,11\n")),
+              "*CONTROL_SPH, field FORM: form 11 is not supported; there are 0 to 6, 12, 15 and 16");
     EXPECT_EQ(
         testing::complaint_about(plate_deck("7", "*CONTROL_SPH\n1,,,1\n")),
         "*CONTROL_SPH, field IDIM: 1 is not supported; there are 2 (plane strain), 3 and -2 (axisymmetric)");
