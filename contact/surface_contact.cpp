@@ -193,7 +193,8 @@ void SurfaceContact::hold_back_waiting()
     }
 }
 
-/// Those that have got a mass touch like all others; nodes that have given theirs away touch nothing.
+/// Those that have got a mass touch like all others; nodes that have given theirs away, and particles that
+/// have left the run, touch nothing.
 void SurfaceContact::wake_particles(const State& state)
 {
     for (const auto& [number, acts_on] : waiting_) {
@@ -209,7 +210,7 @@ void SurfaceContact::wake_particles(const State& state)
 void SurfaceContact::take_masses(const State& state)
 {
     mass_.resize(mesh_.nodes.size());
-    if (!model_.stand_ins.empty()) weighty_.resize(mesh_.nodes.size());
+    if (model_.particles.size() > 0) weighty_.resize(mesh_.nodes.size());
     for (std::size_t i = 0; i < mass_.size(); ++i) {
         const Index node = mesh_.nodes[i].node;
         if (!weighty_.empty()) weighty_[i] = state.mass[node] > 0;
@@ -230,7 +231,7 @@ void SurfaceContact::follow_erosion(const State& state)
     if (!known && facing_) facing_->forget();
     restarted_ = false;
     deletions_seen_ = state.deletions;
-    if (!model_.stand_ins.empty()) wake_particles(state);
+    if (model_.particles.size() > 0) wake_particles(state);
     mesh_.update_exposed(state);
 }
 

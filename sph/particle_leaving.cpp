@@ -72,6 +72,7 @@ std::vector<Index> ParticleBody::dismiss_leaving(State& state)
         leavers_.push_back(a.node[p]);
     }
     real_count_ = staying.size();
+    ++state.deletions; // contacts look again at what they hold
     return staying;
 }
 

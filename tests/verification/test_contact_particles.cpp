@@ -1,4 +1,5 @@
 #include "contact/surface_contact.h"
+#include "sph/particle_body.h"
 #include "tests/support/deck_run.h"
 #include "tests/support/read_text.h"
 
@@ -93,6 +94,23 @@ INSTANTIATE_TEST_SUITE_P(
              0.5},
         Rain{"eroding", "", "*CONTACT_ERODING_NODES_TO_SURFACE\n1,2,4,3\n\n\n0,1\n1\n", shell_plate, 0.5}),
     [](const auto& info) { return std::string(info.param.name); });
+
+/// A plate comes up to where particles have left the run (BOXID, below z = 2) and goes through their nodes.
+TEST(ParticlesInContact, ThoseThatHaveLeftTouchNothing)
+{
+    std::string deck = rain("*CONTROL_SPH\n1,5\n*DEFINE_BOX\n5,-50,50,-50,50,2,50\n",
+                            "*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n1,2,3,3\n\n\n", shell_plate);
+    deck += "*SET_NODE_LIST_GENERATE\n2\n1,36\n*INITIAL_VELOCITY\n2\n0,0,5.0e3\n";
+    DeckRun run(deck);
+    ASSERT_TRUE(run.scene);
+    run.go();
+    const State& state = run.scene->state;
+    EXPECT_EQ(run.find<ParticleBody>()->departed().at(0).count, 18);
+    const double plate = state.position[run.node(15)].z, dead = state.position[run.node(37)].z;
+    EXPECT_GT(plate + 0.5, dead) << "the surface has come to them";
+    for (int id = 1; id <= 36; ++id) EXPECT_EQ(state.velocity[run.node(id)].z, 5.0e3);
+    EXPECT_EQ(run.scene->ledger.sliding, 0);
+}
 
 TEST(ParticlesInContact, HaveNoSegments)
 {

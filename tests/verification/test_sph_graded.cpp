@@ -26,6 +26,37 @@ GradedFill graded_tank()
     return fill;
 }
 
+/// Walls on all sides but the surface.
+std::vector<MirrorPlane> walls_of_tank()
+{
+    return {{{0, 0, 0}, {1, 0, 0}, false, {}},
+            {{0.5, 0, 0}, {-1, 0, 0}, false, {}},
+            {{0, 0, 0}, {0, 1, 0}, false, {}},
+            {{0, 0.5, 0}, {0, -1, 0}, false, {}},
+            {{0, 0, 0}, {0, 0, 1}, false, {}}};
+}
+
+/// Masses and smoothing lengths of the particles of a tessellation that fills 0.15.
+void grade(ParticlePart& part, const GradedParticles& particles)
+{
+    const double mean = 0.15 / static_cast<double>(particles.volume.size());
+    for (std::size_t i = 0; i < part.mass.size(); ++i) part.mass[i] = water_density * particles.volume[i];
+    part.constants.smoothing = 1.5 * std::cbrt(mean);
+    part.constants.smoothing_mass = water_density * mean;
+    part.constants.smallest_smoothing = 0.2 * part.constants.smoothing;
+    part.constants.largest_smoothing = 2 * part.constants.smoothing;
+}
+
+/// A point and its mirror images in the walls of the tank, as far as kernels reach.
+std::vector<Vec3> with_images(const Vec3& p)
+{
+    std::vector<Vec3> all;
+    for (const double x : {p.x, -p.x, 1 - p.x})
+        for (const double y : {p.y, -p.y, 1 - p.y})
+            for (const double z : {p.z, -p.z}) all.push_back({x, y, z});
+    return all;
+}
+
 } // namespace
 
 /// The tessellation: volumes fill the box, kernels of all sizes sum up to one (so volumes are those that
@@ -62,6 +93,60 @@ TEST(SphGraded, FiveToOneTessellationIsEven)
     EXPECT_LT(ratio.back(), 1.5);
 }
 
+/// Under one pressure the force on each particle is the sum over all others and over all images, each with
+/// its own smoothing length: mirrors miss nobody, however much larger the neighbours are.
+TEST(SphGraded, MirrorsShowParticlesOfAllSizes)
+{
+    const GradedParticles particles = fill_graded(graded_tank());
+    const std::size_t count = particles.position.size();
+    ParticleWorld world;
+    world.options.kernel = Kernel::wendland_c2;
+    world.options.mirrors = walls_of_tank();
+    TestLinear fluid(water_density, 10);
+    fluid.relative_volume = 1 / 1.01;
+    grade(world.add_part(fluid, particles.position, 0, 0), particles);
+    world.open_state();
+    world.model.controls.time.step_scale = 0.5;
+    world.model.controls.time.end_time = 1e-9;
+    Scene scene = world.make_scene_of_particles();
+    const ParticleArrays& a = world.body->arrays();
+    std::vector<Vec3> force;
+    std::vector<double> smoothing(count);
+    add_particle_probe(scene, [&](const Clock& clock, const State& state) {
+        if (clock.cycle > 0) return;
+        force = state.force;
+        for (Index p = 0; p < a.real_count(); ++p) smoothing[a.node[p]] = a.motion[p].smoothing;
+    });
+    Recorders nobody;
+    run(scene, nobody);
+    ASSERT_EQ(force.size(), count);
+
+    const double pressure = 0.01 * water_density * 100, density = 1.01 * water_density;
+    double largest = 0, error = 0;
+    int near_walls = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3& p = particles.position[i];
+        Vec3 sum{};
+        for (std::size_t j = 0; j < count; ++j) {
+            const double h = 0.5 * (smoothing[i] + smoothing[j]);
+            const double masses = water_density * water_density * particles.volume[i] * particles.volume[j];
+            for (const Vec3& other : with_images(particles.position[j])) {
+                const Vec3 apart = p - other;
+                const double r = norm(apart);
+                if (r == 0 || r > 2 * h) continue;
+                const double steepness =
+                    -WendlandC2::norm(3) * WendlandC2::slope(r / h) / (h * h * h * h * r);
+                sum += (masses * 2 * pressure / (density * density) * steepness) * apart;
+            }
+        }
+        near_walls += std::min({p.x, p.y, p.z, 0.5 - p.x, 0.5 - p.y}) < 2 * smoothing[i];
+        largest = std::max(largest, norm(sum));
+        error = std::max(error, norm(sum - force[i]));
+    }
+    EXPECT_GT(near_walls, static_cast<int>(count / 2));
+    EXPECT_LT(error, 1e-7 * largest); // 5e-9 of reciprocals and roots in pair loops
+}
+
 /// Graded water falls into its own weight and stands still within a second, though its particles differ by
 /// five to one in size: largest speed 0.4 % of sqrt(g H). It needs its viscosity: with Q2 = 1 it is 1.1 %,
 /// with 0.2 it is 9 % after a second and 4 % after three, of particles that have slipped onto the walls.
@@ -74,11 +159,7 @@ TEST(SphGraded, StandsStillUnderGravity)
     world.options.kernel = Kernel::wendland_c2;
     world.options.viscosity = {0, 2};
     world.options.density_diffusion = 0.1;
-    world.options.mirrors = {{{0, 0, 0}, {1, 0, 0}, false, {}},
-                             {{0.5, 0, 0}, {-1, 0, 0}, false, {}},
-                             {{0, 0, 0}, {0, 1, 0}, false, {}},
-                             {{0, 0.5, 0}, {0, -1, 0}, false, {}},
-                             {{0, 0, 0}, {0, 0, 1}, false, {}}};
+    world.options.mirrors = walls_of_tank();
     NullFluid fluid;
     fluid.density = water_density;
     Murnaghan water;
@@ -86,12 +167,7 @@ TEST(SphGraded, StandsStillUnderGravity)
     water.stiffness = water.bulk_modulus / water.gamma;
     ParticlePart& part = world.add_part(std::make_shared<FluidLaw<Murnaghan>>(fluid, water), water_density,
                                         particles.position, 0, 0);
-    const double mean = 0.15 / static_cast<double>(particles.volume.size());
-    for (std::size_t i = 0; i < part.mass.size(); ++i) part.mass[i] = water_density * particles.volume[i];
-    part.constants.smoothing = 1.5 * std::cbrt(mean);
-    part.constants.smoothing_mass = water_density * mean;
-    part.constants.smallest_smoothing = 0.2 * part.constants.smoothing;
-    part.constants.largest_smoothing = 2 * part.constants.smoothing;
+    grade(part, particles);
     world.open_state();
     world.model.controls.time.step_scale = 0.5;
     BodyLoad load;
