@@ -468,7 +468,7 @@ void ParticleBody::after_motion(const Clock& clock, State& state)
     }
     images_.reflect_passed(arrays_, state);
     calm_wake(clock, state);
-    for (Index node : leavers_) state.velocity[node] = {};
+    for (const auto& [node, part] : leavers_) state.velocity[node] = {};
     leavers_.clear();
 }
 

@@ -146,7 +146,8 @@ private:
     long cycles_since_search_ = 0;
     long searches_ = 0;
     std::vector<Departed> departed_;
-    std::vector<Index> leavers_;           ///< nodes of those that have left in this cycle
+    /// Nodes and parts of the body of those that have left in this cycle.
+    std::vector<std::pair<Index, Index>> leavers_;
     std::vector<PlaceList> fallen_asleep_; ///< by part: in this cycle; empty: nobody has
     std::vector<Vec3> followed_; ///< by periodic pair: where its node was at the last search [length]
     double wall_work_ = 0;  ///< of walls that slide on the viscous fluid, absorbing planes, sleepers [energy]

@@ -69,7 +69,7 @@ std::vector<Index> ParticleBody::dismiss_leaving(State& state)
         left.kinetic += 0.5 * a.mass(p) * dot(a.motion[p].velocity, a.motion[p].velocity);
         left.internal += a.energy[p] * a.mass(p) / parts_[a.part[p]].constants.density;
         state.mass[a.node[p]] = 0;
-        leavers_.push_back(a.node[p]);
+        leavers_.emplace_back(a.node[p], a.part[p]);
     }
     real_count_ = staying.size();
     ++state.deletions; // contacts look again at what they hold

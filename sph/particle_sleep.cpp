@@ -91,6 +91,9 @@ void ParticleBody::constrain(const Clock& clock, State& state)
         });
     }
     fallen_asleep_.clear();
+    for (const auto& [node, part] : leavers_) {
+        departed_[part].kinetic += 0.5 * clock.last_step * dot(state.force[node], state.velocity[node]);
+    }
     for (const PlaceList& sleepers : sleepers_) {
         sleepers.for_each([&](Index p) {
             state.force[arrays_.node[p]] = {};

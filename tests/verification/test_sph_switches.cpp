@@ -1,3 +1,4 @@
+#include "conditions/body_loads.h"
 #include "materials/elastic.h"
 #include "sph/solid_law.h"
 #include "tests/support/particle_setup.h"
@@ -67,6 +68,8 @@ struct Block {
         world.model.controls.time.end_time = end;
         Scene scene = world.make_scene_of_particles();
         scene.terms.push_back(std::make_unique<Pace>());
+        if (!world.model.body_loads.empty())
+            scene.terms.push_back(std::make_unique<BodyLoads>(scene.model, scene.state));
         Recorders nobody;
         const Outcome outcome = run(scene, nobody);
         EXPECT_EQ(outcome.termination, Outcome::Termination::normal) << outcome.message;
@@ -139,14 +142,33 @@ TEST(SphSwitches, WhoLeavesIsBookedExactly)
 }
 
 /// A region as wide as three particles goes along the block: those ahead wake, those behind fall asleep.
+void add_travelling_region(Block& block)
+{
+    ActiveRegion region;
+    region.parts = {0};
+    region.outer = {{1.5, -20, -20}, {4.5, 20, 20}};
+    region.node = block.add_towed_node();
+    block.world.options.regions = {region};
+}
+
 TEST(SphSwitches, FallingAsleepAndWakingAreBookedExactly)
 {
-    expect_balance(6, [](Block& block) {
-        ActiveRegion region;
-        region.parts = {0};
-        region.outer = {{1.5, -20, -20}, {4.5, 20, 20}};
-        region.node = block.add_towed_node();
-        block.world.options.regions = {region};
+    expect_balance(6, add_travelling_region);
+}
+
+/// A load that has worked on particles over the whole step in which they fall asleep, or leave.
+TEST(SphSwitches, LoadsOnThoseThatFallAsleepOrLeaveAreBookedExactly)
+{
+    BodyLoad load;
+    load.direction = {0, 0, 1};
+    load.scale = 0.1;
+    expect_balance(6, [&](Block& block) {
+        add_travelling_region(block);
+        block.world.model.body_loads.push_back(load);
+    });
+    expect_balance(8, [&](Block& block) {
+        block.world.options.box = {{-10, -10, -10}, {7.45, 4.5, 4.5}};
+        block.world.model.body_loads.push_back(load);
     });
 }
 
