@@ -279,10 +279,6 @@ void WaterContacts::add_coupling(Model& model, const Meeting& meeting, const New
         record.fields.push_back({field, value, {}, true, true, meeting.where});
     };
     if (meeting.death < forever) set("END", meeting.death);
-    if (meeting.from_contact && !meeting.sticks && model.contacts[meeting.contact].thickness_option != 0) {
-        const ContactSide& side = meeting.structure;
-        set("THKF", side.thickness > 0 ? -side.thickness : side.thickness_scale);
-    }
     set("ALESID", static_cast<double>(add_part_set(model, made.mesh_parts)));
     switch (meeting.structure.kind) {
     case Kind::parts:
