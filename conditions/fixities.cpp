@@ -61,10 +61,16 @@ Fixities::Fixities(const Model& model) : model_(model)
     reaction_.resize(held_.size());
 }
 
+Fixities::Axes Fixities::axes_now(Index axes, const State& state) const
+{
+    const Index system = axes_system_[axes];
+    return system == none ? axes_[axes] : axes_at(model_.coordinate_systems[system], state);
+}
+
 void Fixities::turn_axes(const State& state)
 {
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-        if (axes_system_[i] != none) axes_[i] = axes_at(model_.coordinate_systems[axes_system_[i]], state);
+        axes_[i] = axes_now(static_cast<Index>(i), state);
     }
 }
 
@@ -74,7 +80,7 @@ void Fixities::constrain(const Clock& clock, State& state)
     for (std::size_t i = 0; i < held_.size(); ++i) {
         const Held& held = held_[i];
         reaction_[i] = {};
-        if (clock.time < held.birth || clock.time > held.death) continue;
+        if (!acts(held, clock)) continue;
         const Index node = held.node;
         const Axes* axes = held.axes == none ? nullptr : &axes_[held.axes];
         reaction_[i].force = hold(state.force[node], state.velocity[node], state.mass[node], held.freedoms,
@@ -82,6 +88,23 @@ void Fixities::constrain(const Clock& clock, State& state)
         if (!state.rotational()) continue;
         reaction_[i].moment = hold(state.moment[node], state.angular_velocity[node], state.inertia[node],
                                    held.freedoms >> 3, axes, clock.velocity_step(), stopped_energy_);
+    }
+}
+
+void Fixities::list_held(const Clock& clock, const State& state, std::vector<HeldFreedom>& list) const
+{
+    constexpr Axes global{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    for (const Held& held : held_) {
+        if (!acts(held, clock)) continue;
+        const Axes axes = held.axes == none ? global : axes_now(held.axes, state);
+        for (int freedom = 0; freedom < (state.rotational() ? 6 : 3); ++freedom) {
+            if (!(held.freedoms >> freedom & 1)) continue;
+            const bool rotation = freedom >= 3;
+            const Vec3& direction = axes[freedom % 3];
+            const Vec3& velocity = (rotation ? state.angular_velocity : state.velocity)[held.node];
+            list.push_back(
+                {held.node, rotation, direction, -dot(velocity, direction) / clock.velocity_step()});
+        }
     }
 }
 

@@ -16,6 +16,7 @@ public:
     std::string_view name() const override { return "fixities"; }
     std::size_t items() const override { return held_.size(); }
     void constrain(const Clock& clock, State& state) override;
+    void list_held(const Clock& clock, const State& state, std::vector<HeldFreedom>& held) const override;
     void report(EnergyLedger& ledger) const override;
     void collect(const State& state, ElementResults& results) const override;
     void serialise(Archive& archive) override { archive(stopped_energy_); }
@@ -42,6 +43,12 @@ private:
     std::vector<Reaction> reaction_; ///< like held_: force of the support on the node
     double stopped_energy_ = 0;      ///< kinetic energy taken when a support was born on a moving node
 
+    bool acts(const Held& held, const Clock& clock) const
+    {
+        return clock.time >= held.birth && clock.time <= held.death;
+    }
+    /// Axes of a local system as they stand now.
+    Axes axes_now(Index axes, const State& state) const;
     void turn_axes(const State& state);
 };
 

@@ -75,12 +75,48 @@ Vec3 PrescribedMotions::drive(const PrescribedMotion& motion, DrivenNode& driven
     return added - dot(added, axis) * axis; // the freedom along the axis stays free
 }
 
+bool PrescribedMotions::acts(const PrescribedMotion& motion, const Clock& clock) const
+{
+    return clock.time >= motion.birth && clock.time <= motion.death && acts_now(model_, motion.curve, clock);
+}
+
+void PrescribedMotions::list_held(const Clock& clock, const State& state,
+                                  std::vector<HeldFreedom>& held) const
+{
+    for (const Driven& driven : motions_) {
+        const PrescribedMotion& motion = *driven.motion;
+        const auto& masses = motion.rotation ? state.inertia : state.mass;
+        if (!acts(motion, clock) || masses.empty()) continue;
+        const Vec3& axis = motion.direction;
+        for (std::size_t i = 0; i < motion.nodes.size(); ++i) {
+            const Index node = motion.nodes[i];
+            if (masses[node] == 0) continue;
+            DrivenNode driven_node = driven.nodes[i]; // drive() advances it
+            const Vec3 total = (motion.rotation ? state.moment : state.force)[node] +
+                               drive(motion, driven_node, node, clock, state);
+            const auto hold = [&](const Vec3& direction) {
+                held.push_back({node, motion.rotation, direction, dot(total, direction) / masses[node]});
+            };
+            if (motion.orbit) {
+                const Vec3 arm = cross(axis, state.position[node] - motion.center);
+                if (norm(arm) == 0) continue; // on the axis: not driven
+                const Vec3 tangent = (1 / norm(arm)) * arm;
+                hold(tangent);
+                if (!motion.only_component) hold(cross(tangent, axis));
+            } else if (motion.only_component) {
+                hold(axis);
+            } else {
+                for (const Vec3& direction : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) hold(direction);
+            }
+        }
+    }
+}
+
 void PrescribedMotions::constrain(const Clock& clock, State& state)
 {
     for (Driven& driven : motions_) {
         const PrescribedMotion& motion = *driven.motion;
-        const bool active =
-            clock.time >= motion.birth && clock.time <= motion.death && acts_now(model_, motion.curve, clock);
+        const bool active = acts(motion, clock);
         auto& velocities = motion.rotation ? state.angular_velocity : state.velocity;
         auto& forces = motion.rotation ? state.moment : state.force;
         if (velocities.empty()) continue;

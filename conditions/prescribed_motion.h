@@ -17,6 +17,7 @@ public:
     std::string_view name() const override { return "prescribed motion"; }
     std::size_t items() const override { return count_; }
     void constrain(const Clock& clock, State& state) override;
+    void list_held(const Clock& clock, const State& state, std::vector<HeldFreedom>& held) const override;
     void report(EnergyLedger& ledger) const override;
     void collect(const State& state, ElementResults& results) const override;
     void serialise(Archive& archive) override;
@@ -39,6 +40,7 @@ private:
     std::vector<Driven> motions_;
     std::size_t count_ = 0;
 
+    bool acts(const PrescribedMotion& motion, const Clock& clock) const;
     Vec3 drive(const PrescribedMotion& motion, DrivenNode& driven, Index node, const Clock& clock,
                const State& state) const;
 };

@@ -12,6 +12,9 @@ struct Clock {
 
     /// Span over which the acceleration at n changes the velocity from n - 1/2 to n + 1/2.
     double velocity_step() const { return 0.5 * (last_step + step); }
+    /// (last_step - step) / (4 velocity_step): the share of v(n+1/2)^2 - v(n-1/2)^2 that twice the kinetic
+    /// energy at n has beside v(n-1/2) . v(n+1/2), see docs/theory/time_integration.md [-].
+    double step_change() const { return 0.5 * (last_step - step) / (last_step + step); }
 };
 
 } // namespace plash

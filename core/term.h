@@ -4,6 +4,7 @@
 #include "core/clock.h"
 #include "core/energy_ledger.h"
 #include "core/results.h"
+#include "core/selective_masses.h"
 #include "core/state.h"
 
 #include <limits>
@@ -56,6 +57,19 @@ public:
     /// false also takes mass away where it is longer. Called once, before the first cycle. Returns the added
     /// mass.
     virtual double scale_mass(double /*step*/, bool /*only_small*/, State&) { return 0; }
+
+    /// As scale_mass, but lists the mass that would be added instead of adding it. False: this term cannot,
+    /// and nothing has changed.
+    virtual bool scale_selectively(double /*step*/, bool /*only_small*/, const State&, SelectiveMasses&)
+    {
+        return false;
+    }
+
+    /// The part whose elements this term has; none: it is not that kind of term.
+    virtual Index scaled_part() const { return none; }
+
+    /// Adds the freedoms whose acceleration `constrain` will set in this cycle whatever the forces are.
+    virtual void list_held(const Clock&, const State&, std::vector<HeldFreedom>&) const {}
 
     /// What the user should know before the first cycle, a line each (initial penetrations and the like);
     /// called once the whole scene is there.

@@ -84,7 +84,7 @@ private:
             record[beam_record::internal_energy] += step.internal_work;
 
             const int active = store_.patches.active_lanes(batch);
-            const LaneMask lost = lost_in(clock, record, step.broken) & alive;
+            const LaneMask lost = lost_in(clock, batch, step) & alive;
             if (any(lost)) take_out(batch, active, lost, ends, clock.last_step, step, sums);
             add_corner(copies.force.data(), first, -step.forces.force, active);
             add_corner(copies.force.data(), second, step.forces.force, active);
@@ -96,7 +96,7 @@ private:
             for (int lane = 0; lane < active; ++lane) {
                 sums.internal += step.internal_work[lane];
                 sums.preload += step.preload_work[lane];
-                if (stable[lane] >= sums.step) continue;
+                if (lost[lane] || stable[lane] >= sums.step) continue;
                 sums.step = stable[lane];
                 sums.place = batch * lane_count + lane;
             }
@@ -127,10 +127,12 @@ private:
     }
 
     /// Elements that break in this cycle: by their resultants, at their failure time, when all points have
-    /// failed, or enough of them under *MAT_ADD_EROSION.
-    LaneMask lost_in(const Clock& clock, Lanes* record, const LaneMask& broken) const
+    /// failed, or enough of them under *MAT_ADD_EROSION, or when their step falls below what the deck allows.
+    LaneMask lost_in(const Clock& clock, Index batch, const BeamStep<Lanes>& step)
     {
-        LaneMask lost = broken;
+        Lanes* record = store_.record(batch);
+        LaneMask lost = step.broken;
+        if (store_.shortest_step > 0) lost |= store_.stable_step(batch, step.length) < store_.shortest_step;
         if (clock.time >= store_.settings.failure_time) lost = ~LaneMask{};
         if constexpr (requires(HistoryView<Lanes> history) { law_.failed(history); }) {
             if (store_.settings.points_fail) {

@@ -180,6 +180,9 @@ void BeamStore::find_preloads()
 
 void BeamStore::start_cycle(const Clock& clock)
 {
+    const TimeControls& control = model.controls.time;
+    if (clock.cycle == 1 && control.erode_small_beams)
+        shortest_step = control.smallest_step_factor * clock.last_step / control.step_scale;
     for (Preload& preload : preloads_) {
         if (!preload.active || !acts_now(model, preload.given->curve, clock)) {
             preload.acts = false;

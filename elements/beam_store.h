@@ -50,6 +50,7 @@ public:
     BeamSettings settings;
     Patches patches;
     std::vector<PatchSums> sums; ///< by patch
+    double shortest_step = 0;    ///< ERODE of *CONTROL_TIMESTEP: beams below it go [time]
 
     Lanes* record(Index batch) { return records_.data() + static_cast<std::size_t>(batch) * record_size_; }
     const Lanes* record(Index batch) const
@@ -57,7 +58,8 @@ public:
         return records_.data() + static_cast<std::size_t>(batch) * record_size_;
     }
 
-    /// To be called before the patches of a cycle: axial stresses that preloads ask for now.
+    /// To be called before the patches of a cycle: axial stresses that preloads ask for now; in cycle 1, the
+    /// step below which beams go, DTMIN times the first one.
     void start_cycle(const Clock&);
     BeamPrescription<Lanes> prescription(Index batch) const;
     /// Preloads begin anew with the curves of a phase.
@@ -75,7 +77,7 @@ public:
     double scale_mass(double step, bool only_small, State&);
 
     /// What goes on from cycle to cycle.
-    void serialise(Archive& archive) { archive(records_, sums, preloads_, eroded_internal_); }
+    void serialise(Archive& archive) { archive(records_, sums, preloads_, eroded_internal_, shortest_step); }
 
     StepVote vote() const;
     void report(EnergyLedger&) const;

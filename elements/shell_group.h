@@ -28,6 +28,12 @@ public:
     {
         return store_.scale_mass(step, only_small, state);
     }
+    bool scale_selectively(double step, bool only_small, const State& state, SelectiveMasses& masses) override
+    {
+        store_.scale_selectively(step, only_small, state, masses);
+        return true;
+    }
+    Index scaled_part() const override { return store_.part; }
     void report(EnergyLedger& ledger) const override { store_.report(ledger); }
     void serialise(Archive& archive) override { store_.serialise(archive); }
     void collect(const State& state, ElementResults& results) const override

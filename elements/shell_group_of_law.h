@@ -36,6 +36,7 @@ std::unique_ptr<Term> make_shells_of_law(const ShellPart& part, ShellFormulation
     const Model& model = part.model;
     const Record& material = model.materials[model.parts[part.part].material];
     Law law = Law::from_record(material, model);
+    law.young_modulus *= part.stiffness_share; // what hardens goes by the plastic strain and stays
     ShellSettings settings =
         shell_settings(model, part.part, law.density, law.young_modulus, law.poisson_ratio);
     if (!settings.membrane) settings.reference_offset -= part.offset_share;

@@ -2,6 +2,7 @@
 
 #include "elements/shell_group_makers.h"
 #include "elements/shell_mass.h"
+#include "elements/shell_settings.h"
 #include "materials/parameters.h"
 
 #include <algorithm>
@@ -130,6 +131,7 @@ struct GroupKey {
     std::vector<Index> stack;
     double offset_share = 0;
     bool alone = false;
+    double stiffness_share = 1;
 
     auto operator<=>(const GroupKey&) const = default;
 };
@@ -157,6 +159,42 @@ std::vector<bool> shared_nodes(const Model& model)
     return shared;
 }
 
+/// TSLIMT of *CONTROL_TIMESTEP: how much of Young's modulus the elements of a part keep so that TSSFAC times
+/// their step is not below it at the start. Only laws of the manual's list soften. Shares go down in steps of
+/// 5 %, so that elements of nearly one size make one group.
+class Softening {
+public:
+    Softening(const Model& model, const State& state, Index part) : model_(model), state_(state)
+    {
+        constexpr std::string_view soften[] = {"MAT_PLASTIC_KINEMATIC", "MAT_POWER_LAW_PLASTICITY",
+                                               "MAT_PIECEWISE_LINEAR_PLASTICITY"};
+        const TimeControls& control = model.controls.time;
+        if (!(control.shell_step > 0) || model.parts[part].material == none) return;
+        const Record& material = model.materials[model.parts[part].material];
+        if (std::find(std::begin(soften), std::end(soften), material.keyword) == std::end(soften)) return;
+        const ShellSettings settings =
+            shell_settings(model, part, material.real("RO"), material.real("E"), material.real("PR"));
+        length_rule_ = settings.length_rule;
+        wanted_length_ = control.shell_step / control.step_scale * settings.wave_speed;
+    }
+
+    double share(Index element) const
+    {
+        if (wanted_length_ == 0) return 1;
+        const double share =
+            squared_length_of(model_, state_, element, length_rule_) / (wanted_length_ * wanted_length_);
+        if (share >= 1) return 1;
+        const double ratio = std::log(0.95);
+        return std::exp(ratio * std::ceil(std::log(share) / ratio));
+    }
+
+private:
+    const Model& model_;
+    const State& state_;
+    int length_rule_ = 0;
+    double wanted_length_ = 0; ///< [length]; 0: nothing softens
+};
+
 /// Adds the groups of a part: quadrilaterals, and triangles of their own when they are sorted out (ESORT) or
 /// the section is one of triangles; elements with different stacks of plies make different groups.
 void add_groups(ShellGroupMaker* maker, const ShellPart& all, const std::vector<bool>& shared, State& state,
@@ -169,6 +207,7 @@ void add_groups(ShellGroupMaker* maker, const ShellPart& all, const std::vector<
         formulation == ShellFormulation::triangle || model.controls.elements.sort_triangles > 0;
     std::map<GroupKey, ShellPart> members;
     const ShellPlate plate = shell_plate(model, part);
+    const Softening softening(model, state, all.part);
     for (Index element : all.elements) {
         check_element(model, element, plate);
         const std::array<Index, 4> nodes = shell_corners(model, element);
@@ -183,6 +222,7 @@ void add_groups(ShellGroupMaker* maker, const ShellPart& all, const std::vector<
         if (key.stack.empty() && maker != make_laminate_shells)
             key.offset_share = offset_share(model, element);
         key.alone = std::none_of(nodes.begin(), nodes.end(), [&](Index node) { return shared[node]; });
+        if (key.stack.empty()) key.stiffness_share = softening.share(element);
         members
             .try_emplace(key, ShellPart{model,
                                         all.part,
@@ -190,7 +230,8 @@ void add_groups(ShellGroupMaker* maker, const ShellPart& all, const std::vector<
                                         all.initial_stresses,
                                         all.initial_strains,
                                         key.offset_share,
-                                        key.alone})
+                                        key.alone,
+                                        key.stiffness_share})
             .first->second.elements.push_back(element);
     }
     for (const auto& [key, shells] : members) {

@@ -62,16 +62,6 @@ double offset_squared_gyration(const ShellMass& share, double step_scale)
     return (share.offset * share.offset + share.thickness * share.thickness / 12) / margin;
 }
 
-/// Square of the length that an element's step is made of, at the positions of the state.
-double squared_length_of(const Model& model, const State& state, Index element, int length_rule)
-{
-    const std::array<Index, 4> nodes = shell_corners(model, element);
-    Vec3 corner[4];
-    for (int i = 0; i < 4; ++i) corner[i] = state.position[nodes[i]];
-    const CornerPattern<double> position = pattern_of(corner[0], corner[1], corner[2], corner[3]);
-    return squared_length(position, shell_frame(position).area, length_rule);
-}
-
 /// Components in global axes of a tensor given in a frame.
 SymmetricTensor<double> to_global(const ShellFrame<double>& frame, const SymmetricTensor<double>& local)
 {
@@ -94,6 +84,15 @@ SymmetricTensor<double> to_local(const ShellFrame<double>& frame, const Symmetri
 }
 
 } // namespace
+
+double squared_length_of(const Model& model, const State& state, Index element, int length_rule)
+{
+    const std::array<Index, 4> nodes = shell_corners(model, element);
+    Vec3 corner[4];
+    for (int i = 0; i < 4; ++i) corner[i] = state.position[nodes[i]];
+    const CornerPattern<double> position = pattern_of(corner[0], corner[1], corner[2], corner[3]);
+    return squared_length(position, shell_frame(position).area, length_rule);
+}
 
 ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings its_settings, int plane_points,
                        std::span<const double> initial_history, Index plastic_strain)
@@ -227,7 +226,8 @@ void ShellStore::close_cycle(State& state)
     }
 }
 
-double ShellStore::add_mass(Index element, double factor, State& state) const
+std::array<SelectiveMasses::Corner, 4> ShellStore::masses_of(Index element, double factor,
+                                                             const State& state) const
 {
     const ShellMass share = shell_mass(model, element, plate);
     const double length = squared_length_of(model, state, element, settings.length_rule);
@@ -236,12 +236,21 @@ double ShellStore::add_mass(Index element, double factor, State& state) const
         std::max({share.squared_gyration, least_squared_gyration(settings, step_scale, length),
                   offset_squared_gyration(share, step_scale)});
     const std::array<Index, 4> nodes = shell_corners(model, element);
-    double added = 0;
+    std::array<SelectiveMasses::Corner, 4> corners;
     for (int corner = 0; corner < 4; ++corner) {
         const double mass = factor * share.corner_mass[corner];
-        state.mass[nodes[corner]] += mass;
-        state.inertia[nodes[corner]] += gyration * mass;
-        added += mass;
+        corners[corner] = {nodes[corner], mass, gyration * mass};
+    }
+    return corners;
+}
+
+double ShellStore::add_mass(Index element, double factor, State& state) const
+{
+    double added = 0;
+    for (const SelectiveMasses::Corner& corner : masses_of(element, factor, state)) {
+        state.mass[corner.node] += corner.mass;
+        state.inertia[corner.node] += corner.inertia;
+        added += corner.mass;
     }
     return added;
 }
@@ -251,9 +260,9 @@ void ShellStore::add_masses(State& state) const
     for (Index i = 0; i < patches.element_count; ++i) add_mass(patches.elements[i], 1, state);
 }
 
-double ShellStore::scale_mass(double step, bool only_small, State& state)
+template <class Take>
+void ShellStore::scale_steps(double step, bool only_small, const State& state, Take&& take)
 {
-    double added = 0;
     for (Index batch = 0; batch < patches.batch_count(); ++batch) {
         Lanes& factors = record(batch)[shell_record::mass_factor];
         for (int lane = 0; lane < lane_count; ++lane) {
@@ -262,10 +271,27 @@ double ShellStore::scale_mass(double step, bool only_small, State& state)
             const double ratio = step * settings.wave_speed / (step_share * length);
             if (only_small && ratio <= 1) continue;
             factors[lane] = ratio * ratio;
-            if (lane < patches.active_lanes(batch)) added += add_mass(element, factors[lane] - 1, state);
+            if (lane < patches.active_lanes(batch)) take(element, factors[lane] - 1);
         }
     }
+}
+
+double ShellStore::scale_mass(double step, bool only_small, State& state)
+{
+    double added = 0;
+    scale_steps(step, only_small, state,
+                [&](Index element, double growth) { added += add_mass(element, growth, state); });
     return added;
+}
+
+void ShellStore::scale_selectively(double step, bool only_small, const State& state, SelectiveMasses& masses)
+{
+    scale_steps(step, only_small, state, [&](Index element, double growth) {
+        masses.begin(SelectiveMasses::Kind::shell, element);
+        for (const SelectiveMasses::Corner& corner : masses_of(element, growth, state)) {
+            if (corner.mass != 0) masses.corners.push_back(corner);
+        }
+    });
 }
 
 StepVote ShellStore::vote() const

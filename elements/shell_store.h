@@ -17,6 +17,9 @@
 
 namespace plash {
 
+/// Square of the length that a shell's step is made of, at the positions of the state [length^2].
+double squared_length_of(const Model& model, const State& state, Index element, int length_rule);
+
 /// The shells of a part that make one group.
 struct ShellPart {
     const Model& model;
@@ -27,6 +30,7 @@ struct ShellPart {
     double offset_share =
         0;              ///< OFFSET of all elements over half of their thickness; laminates read their own
     bool alone = false; ///< its elements share their nodes with no other shell
+    double stiffness_share = 1; ///< TSLIMT of *CONTROL_TIMESTEP: of Young's modulus
 };
 
 /// Where the state of a shell group is kept between steps, and what does not depend on the law: energies, the
@@ -82,6 +86,8 @@ public:
     void add_masses(State& state) const;
     /// As Term::scale_mass: changes the mass of elements so that their step becomes `step`.
     double scale_mass(double step, bool only_small, State& state);
+    /// As Term::scale_selectively.
+    void scale_selectively(double step, bool only_small, const State& state, SelectiveMasses& masses);
 
     StepVote vote() const;
     void report(EnergyLedger& ledger) const;
@@ -109,8 +115,13 @@ private:
 
     void erode(const ElementLoss& loss, PatchSums& patch_sums, State& state);
     void check_finite() const;
-    /// Adds an element's mass and rotary inertia times `factor`; returns the mass.
+    /// An element's masses and rotary inertias times `factor`.
+    std::array<SelectiveMasses::Corner, 4> masses_of(Index element, double factor, const State& state) const;
+    /// Adds them; returns the mass.
     double add_mass(Index element, double factor, State& state) const;
+    /// Brings the steps of elements to `step`; take(element, growth of mass) gets what that costs.
+    template <class Take>
+    void scale_steps(double step, bool only_small, const State& state, Take&& take);
     void take_initial_strains(const ShellPart& part, const State& state);
     void collect_history(Index batch, int lane, Index row, ElementResults& results) const;
     void collect_strains(const State& state, Index batch, int lane, Index row, ElementResults& results) const;

@@ -299,22 +299,45 @@ double SolidGroup::mass() const
     return sum;
 }
 
-double SolidGroup::scale_mass(double step, bool only_small, State& state)
+template <class Take>
+void SolidGroup::scale_steps(double step, bool only_small, Take&& take)
 {
     if (step_factor_.empty()) step_factor_.assign(patches_.batch_count(), broadcast<Lanes>(1));
-    double added = 0;
     for_each_element([&](const Patches::Patch& patch, std::size_t place) {
         const double factor = step / first_step_[place];
         if (only_small && factor <= 1) return;
         step_factor_[place / lane_count][place % lane_count] *= factor;
         if (!step_limit_.empty()) step_limit_[place / lane_count][place % lane_count] *= factor;
         first_step_[place] = step;
-        const double extra = (factor * factor - 1) * constant_of(place, mass_constant);
+        take(place, distinct_corners(patch, place),
+             (factor * factor - 1) * constant_of(place, mass_constant));
+    });
+}
+
+double SolidGroup::scale_mass(double step, bool only_small, State& state)
+{
+    double added = 0;
+    scale_steps(step, only_small, [&](std::size_t, const Corners& corners, double extra) {
         added += extra;
-        const Corners corners = distinct_corners(patch, place);
         for (int i = 0; i < corners.count; ++i) state.mass[corners.node[i]] += corners.share[i] * extra;
     });
     return added;
+}
+
+bool SolidGroup::scale_selectively(double step, bool only_small, const State&, SelectiveMasses& masses)
+{
+    scale_steps(step, only_small, [&](std::size_t place, const Corners& corners, double extra) {
+        masses.begin(SelectiveMasses::Kind::brick, brick_number(place));
+        for (int i = 0; i < corners.count; ++i)
+            masses.corners.push_back({corners.node[i], corners.share[i] * extra});
+    });
+    return true;
+}
+
+Index SolidGroup::brick_number(std::size_t place) const
+{
+    const std::size_t before = setup_.thick_shells ? setup_.model.solids.size() : 0;
+    return static_cast<Index>(before) + element_of(place);
 }
 
 void SolidGroup::start_cycle(const Clock& clock)
@@ -401,7 +424,7 @@ void SolidGroup::erase(const ElementLoss& loss, State& state)
     const std::size_t place = loss.place;
     const Model& model = setup_.model;
     state.deleted_solids.resize(brick_count(model));
-    state.deleted_solids[element_of(place) + (setup_.thick_shells ? model.solids.size() : 0)] = 1;
+    state.deleted_solids[brick_number(place)] = 1;
     ++state.deletions;
     if (state.keeps_lost_solids && !setup_.thick_shells) state.lost_solids.push_back(lost_solid(place));
     if (alive_.empty()) alive_.assign(patches_.batch_count(), broadcast<Lanes>(1));

@@ -64,6 +64,8 @@ public:
     std::size_t items() const override { return static_cast<std::size_t>(patches_.element_count); }
     StepVote stable_step() const override { return vote_; }
     double scale_mass(double step, bool only_small, State&) override;
+    bool scale_selectively(double step, bool only_small, const State&, SelectiveMasses&) override;
+    Index scaled_part() const override { return setup_.part; }
     std::vector<std::string> notices(const State&) const override;
     void report(EnergyLedger&) const override;
     void serialise(Archive&) override;
@@ -241,6 +243,11 @@ private:
         int count;
     };
     Corners distinct_corners(const Patches::Patch&, std::size_t place) const;
+    /// Brings the steps of elements to `step`; take(element, corners, extra mass) gets what that costs.
+    template <class Take>
+    void scale_steps(double step, bool only_small, Take&& take);
+    /// Its place in State::deleted_solids.
+    Index brick_number(std::size_t place) const;
     const Patches::Patch& patch_of(std::size_t place) const;
     void put_initial_stress(std::size_t place, const InitialStress&, const StressPlaces&);
     void take_initial_strains();

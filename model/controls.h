@@ -17,10 +17,17 @@ struct TimeControls {
     double step_scale = 0.9;         ///< TSSFAC
     int shell_length_rule = 0;       ///< ISDO
     double mass_scaled_step = 0;     ///< DT2MS [time]; negative: add mass only where the step is smaller
-    Index largest_step_curve = none; ///< LCTM
+    double mass_scaled_share = 0;    ///< DT2MSF: -DT2MS over the smallest step of the start; 0: DT2MS holds
+    bool selective_mass = false;     ///< IMSCL: added mass leaves rigid motion of an element alone
+    std::vector<Index> selective_parts; ///< |IMSCL|: of these parts; empty: of all
+    Index largest_step_curve = none;    ///< LCTM
+    bool no_solution = false;           ///< NOSOL: the run ends after the first cycle's forces
+    double shell_step = 0;              ///< TSLIMT [time]: shells soften rather than ask for less; 0: none
     bool erode_small_step =
-        false; ///< ERODE 1, 11: solids and thick shells go when their step falls below DTMIN
-    bool erode_small_shells = false; ///< ERODE 10, 11: shells likewise
+        false; ///< last digit of ERODE: solids and thick shells go when their step falls below DTMIN
+    bool erode_small_shells = false; ///< digit of tens: shells likewise
+    bool erode_small_beams = false;  ///< digit of hundreds: beams likewise
+    Location where;                  ///< of *CONTROL_TIMESTEP
 };
 
 /// *CONTROL_HOURGLASS, *CONTROL_BULK_VISCOSITY, *CONTROL_SHELL, *CONTROL_SOLID.

@@ -1,5 +1,7 @@
 #include "parser/reading.h"
 
+#include <fmt/format.h>
+
 namespace plash {
 namespace {
 
@@ -27,6 +29,23 @@ BodyNumber Reading::find_body(Id id)
     if (const Index part = table(Kind::part).find(id); part != none) return part;
     const Index body = table(Kind::rigid_body).find(id);
     return body == none ? none : static_cast<Index>(model.parts.size()) + body;
+}
+
+void Reading::check_hourglass(const Record& record, std::string_view field)
+{
+    constexpr double usual = 0.15;
+    const Record::Field *given = record.peek(field), *form = record.peek("IHQ");
+    const double coefficient = given ? given->value : 0;
+    const int type = form ? static_cast<int>(form->value) : 0;
+    if (coefficient < 0) {
+        warning(record, field,
+                fmt::format("{:g} is negative: hourglass modes would be driven, not held", coefficient));
+    } else if (type >= 0 && type <= 5 && coefficient > usual) {
+        warning(record, field,
+                fmt::format("{:g} is above {:g}, beyond which hourglass control of types 1 to 5 may become "
+                            "unstable; usual are 0.05 to 0.1",
+                            coefficient, usual));
+    }
 }
 
 void Reading::error(const Record& record, std::string_view field, std::string text)

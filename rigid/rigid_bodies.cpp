@@ -315,6 +315,12 @@ void RigidBodies::move(const Clock& clock, State& state, RigidBody& body, const 
                         dot(body.angular_velocity, body.angular_momentum)) -
                 0.25 * dot(body.angular_momentum - old.angular_momentum,
                            body.angular_velocity - old.angular_velocity);
+    if (!first) {
+        const double linear = dot(body.velocity, body.velocity) - dot(old.velocity, old.velocity);
+        const double angular = dot(body.angular_velocity, body.angular_momentum) -
+                               dot(old.angular_velocity, old.angular_momentum);
+        kinetic_ += 0.5 * clock.step_change() * (body.mass * linear + angular);
+    }
 
     body.acceleration = (1 / velocity_step) * (body.velocity - before.velocity);
     body.angular_acceleration = (1 / velocity_step) * (body.angular_velocity - before.angular_velocity);

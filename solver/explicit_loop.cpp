@@ -45,7 +45,8 @@ struct Requests {
 bool at_end(const Scene& scene, const Outcome& outcome)
 {
     const long last_cycle = scene.model.controls.time.end_cycle;
-    return outcome.clock.time >= outcome.end_time || (last_cycle > 0 && outcome.clock.cycle >= last_cycle);
+    return scene.model.controls.time.no_solution || outcome.clock.time >= outcome.end_time ||
+           (last_cycle > 0 && outcome.clock.cycle >= last_cycle);
 }
 
 /// Writes the restart files that fall due, and does what sense switches ask for.
@@ -125,7 +126,8 @@ Outcome run(Scene& scene, Recorders& recorders, const RunOptions& options)
 
     try {
         Requests requests;
-        if (scene.model.controls.relaxation.active() && !restarted)
+        if (control.no_solution) outcome.message = "ends after the first cycle's forces (NOSOL)";
+        if (scene.model.controls.relaxation.active() && !restarted && !control.no_solution)
             outcome.relaxation = begin_at_rest(scene, recorders, options, outcome.term_seconds);
         while (true) {
             sum_forces(scene, clock, step_control, outcome.term_seconds);

@@ -12,6 +12,7 @@ double advance(const std::vector<Vec3>& force, const std::vector<double>& mass, 
 {
     const double velocity_step = clock.velocity_step();
     const bool first = clock.last_step == 0;
+    const double change = first ? 0 : clock.step_change();
     return sum_chunks(mass.size(), [&](std::size_t begin, std::size_t end) {
         double kinetic = 0;
         for (std::size_t node = begin; node < end; ++node) {
@@ -21,7 +22,8 @@ double advance(const std::vector<Vec3>& force, const std::vector<double>& mass, 
             velocity[node] = after;
             // The first velocity is that of n = 0; the force at 0 gives the one at -1/2 that belongs to it.
             const Vec3 half_step_before = first ? 2.0 * before - after : before;
-            kinetic += 0.5 * mass[node] * dot(half_step_before, after);
+            kinetic += 0.5 * mass[node] *
+                       (dot(half_step_before, after) + change * (dot(after, after) - dot(before, before)));
         }
         return kinetic;
     });

@@ -19,6 +19,7 @@
 #include "elements/beam_groups.h"
 #include "elements/cohesive_solids.h"
 #include "elements/discrete_springs.h"
+#include "elements/selective_mass.h"
 #include "elements/shell_groups.h"
 #include "elements/solid_groups.h"
 #include "elements/stiffness_damping.h"
@@ -27,21 +28,20 @@
 #include "rigid/interpolation.h"
 #include "rigid/linear_constraints.h"
 #include "rigid/rigid_bodies.h"
+#include "solver/mass_scaling.h"
 #include "solver/nodal_inertias.h"
 #include "solver/rigid_parts.h"
 #include "sph/particle_bodies.h"
 #include "sph/particle_coupling.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 namespace plash {
 
 namespace {
 
 /// Loads, fixities, driven nodes and walls, in the order in which they act on the forces.
-void add_conditions(Scene& scene)
+void add_conditions(Scene& scene, SelectiveMasses selective_masses)
 {
     const Model& model = scene.model;
     State& state = scene.state;
@@ -53,6 +53,8 @@ void add_conditions(Scene& scene)
     if (model.controls.relaxation.active()) scene.terms.push_back(std::make_unique<Relaxation>(model, state));
     if (!model.non_reflecting_boundaries.empty())
         scene.terms.push_back(std::make_unique<NonReflecting>(model, state));
+    if (!selective_masses.elements.empty()) // before all that sets velocities
+        scene.terms.push_back(std::make_unique<SelectiveMass>(std::move(selective_masses)));
     for (const RigidWall& wall : model.rigid_walls) {
         scene.terms.push_back(std::make_unique<RigidWallTerm>(wall, model, state));
     }
@@ -62,6 +64,21 @@ void add_conditions(Scene& scene)
     auto fixities = std::make_unique<Fixities>(model);
     fixities->stop_at_start(state);
     if (!fixities->empty()) scene.terms.push_back(std::move(fixities));
+}
+
+/// Selective mass scaling, where the deck has it, gets to know the whole scene.
+void start_selective_mass(Scene& scene)
+{
+    std::vector<const Term*> terms;
+    SelectiveMass* selective = nullptr;
+    for (const auto& term : scene.terms) {
+        if (auto* found = dynamic_cast<SelectiveMass*>(term.get())) selective = found;
+        terms.push_back(term.get());
+    }
+    if (!selective) return;
+    selective->start(std::move(terms), scene.state);
+    scene.masses.added_ratio += selective->ordinary_mass() / scene.masses.mass;
+    scene.added_mass_ratio = scene.masses.added_ratio;
 }
 
 /// Fluids in Eulerian meshes and what couples them with structures.
@@ -75,22 +92,6 @@ void add_eulerian_fluids(Scene& scene)
     for (auto& coupling : make_fluid_couplings(scene.model, fluids, scene.state))
         scene.terms.push_back(std::move(coupling));
     if (auto tracers = make_tracers(scene.model, fluids)) scene.terms.push_back(std::move(tracers));
-}
-
-/// *CONTROL_TIMESTEP DT2MS: the step that the deck wants, bought with mass. Negative: only where it is
-/// needed.
-void scale_masses(Scene& scene)
-{
-    const double wanted = scene.model.controls.time.mass_scaled_step;
-    if (wanted == 0) return;
-    const double mass = std::accumulate(scene.state.mass.begin(), scene.state.mass.end(), 0.0);
-    double added = 0;
-    for (auto& term : scene.terms) {
-        const double more = term->scale_mass(std::abs(wanted), wanted < 0, scene.state);
-        if (more != 0) scene.masses.added.emplace_back(term->name(), more);
-        added += more;
-    }
-    scene.added_mass_ratio = scene.masses.added_ratio = mass > 0 ? added / mass : 0;
 }
 
 /// Mass and centre of mass of all nodes, before rigid bodies take the masses of theirs.
@@ -153,7 +154,7 @@ Scene make_scene(const Model& model)
     for (std::size_t i = 0; i < model.masses.size(); ++i)
         state.mass[model.masses.node[i]] += model.masses.mass[i];
     add_nodal_inertias(model, state);
-    scale_masses(scene);
+    SelectiveMasses selective_masses = scale_masses(scene);
     weigh(scene);
     auto tied = std::make_shared<TiedNodes>(model, state);
     if (!tied->empty()) scene.terms.push_back(std::make_unique<TiedForces>(tied));
@@ -162,7 +163,7 @@ Scene make_scene(const Model& model)
     if (interpolated_forces) scene.terms.push_back(std::move(interpolated_forces));
     RigidSetup bodies = make_rigid_bodies(model, state); // sees the velocities before fixities stop nodes
     add_inertia_bodies(model, state, bodies);
-    add_conditions(scene);
+    add_conditions(scene, std::move(selective_masses));
     if (!bodies.bodies.empty() || asks_for_rigid_bodies(model))
         scene.terms.push_back(std::make_unique<RigidBodies>(model, std::move(bodies), state));
     if (!tied->empty())
@@ -170,6 +171,7 @@ Scene make_scene(const Model& model)
     if (auto constraints = make_linear_constraints(model, state, std::move(elements)))
         scene.terms.push_back(std::move(constraints));
     if (interpolated_motion) scene.terms.push_back(std::move(interpolated_motion));
+    start_selective_mass(scene);
     return scene;
 }
 

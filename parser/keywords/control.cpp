@@ -24,7 +24,38 @@ void read_termination(const Record& record, const Block&, Reading& reading)
     time.smallest_step_factor = record.real("DTMIN");
     time.end_energy_change = record.real("ENDENG");
     time.end_mass_change = real_or(record, "ENDMAS", 1e8);
+    const Id no_solution = record.integer("NOSOL");
+    time.no_solution = no_solution == 1;
+    if (no_solution != 0 && no_solution != 1)
+        reading.error(record, "NOSOL",
+                      fmt::format("{} is neither 0, a run, nor 1, its start alone", no_solution));
     if (time.end_time < 0) reading.error(record, "ENDTIM", "the end time is negative");
+}
+
+/// IMSCL, which acts if masses are scaled: 1 all parts, negative a set of parts.
+void read_selective_mass(const Record& record, TimeControls& time, Reading& reading)
+{
+    const Id selective = record.integer("IMSCL");
+    if (selective == 0) return;
+    if (selective > 1) {
+        reading.error(
+            record, "IMSCL",
+            fmt::format("{} is neither 1, all parts, nor minus the number of a set of parts", selective));
+        return;
+    }
+    time.selective_mass = true;
+    time.selective_parts.clear();
+    if (time.mass_scaled_step == 0 && time.mass_scaled_share == 0)
+        reading.warning(record, "IMSCL", "has no effect without DT2MS: no mass is added");
+    if (selective == 1) return;
+    const Index set = reading.look_up(Kind::part_set, -selective);
+    if (set == none) {
+        reading.error(record, "IMSCL", fmt::format("there is no set of parts {}", -selective));
+        return;
+    }
+    time.selective_parts = reading.model.part_sets[set].parts;
+    if (time.selective_parts.empty())
+        reading.error(record, "IMSCL", fmt::format("the set of parts {} is empty", -selective));
 }
 
 void read_timestep(const Record& record, const Block&, Reading& reading)
@@ -33,11 +64,30 @@ void read_timestep(const Record& record, const Block&, Reading& reading)
     time.initial_step = record.real("DTINIT");
     time.step_scale = real_or(record, "TSSFAC", 0.9);
     time.shell_length_rule = whole(record, "ISDO");
+    time.where = record.where;
     time.mass_scaled_step = record.real("DT2MS");
+    time.mass_scaled_share = record.real("DT2MSF");
+    if (time.mass_scaled_share < 0)
+        reading.error(record, "DT2MSF", "the share of the first step is negative");
+    if (time.mass_scaled_share != 0 && time.mass_scaled_step != 0)
+        reading.warning(record, "DT2MSF", "has no effect beside DT2MS");
+    if (time.mass_scaled_share > 0 && time.mass_scaled_share <= 1 && time.mass_scaled_step == 0)
+        reading.warning(record, "DT2MSF",
+                        fmt::format("{} of the first step asks for no more than elements have at the start, "
+                                    "and masses are scaled then alone",
+                                    time.mass_scaled_share));
+    read_selective_mass(record, time, reading);
+    time.shell_step = record.real("TSLIMT");
+    if (time.shell_step < 0) reading.error(record, "TSLIMT", "the smallest step of shells is negative");
     time.largest_step_curve = reading.find(record, "LCTM", Kind::curve);
     const Id erode = record.integer("ERODE");
     time.erode_small_step = erode % 10 == 1;
-    time.erode_small_shells = erode == 10 || erode == 11;
+    time.erode_small_shells = erode / 10 % 10 == 1;
+    time.erode_small_beams = erode / 100 == 1;
+    if (erode < 0 || erode > 111 || erode % 10 > 1 || erode / 10 % 10 > 1)
+        reading.error(
+            record, "ERODE",
+            fmt::format("{} is no sum of 1 (solids, thick shells), 10 (shells) and 100 (beams)", erode));
     if (time.step_scale < 0) reading.error(record, "TSSFAC", "the scale of the step is negative");
 }
 
@@ -95,6 +145,7 @@ void read_hourglass(const Record& record, const Block&, Reading& reading)
     ElementControls& elements = reading.model.controls.elements;
     elements.hourglass_type = whole(record, "IHQ");
     elements.hourglass_coefficient = real_or(record, "QH", 0.1);
+    reading.check_hourglass(record, "QH");
 }
 
 void read_bulk_viscosity(const Record& record, const Block&, Reading& reading)

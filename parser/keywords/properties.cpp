@@ -23,6 +23,10 @@ void keep_equation_of_state(const Record& record, const Block&, Reading& reading
 
 void keep_hourglass(const Record& record, const Block&, Reading& reading)
 {
+    for (std::string_view field : {"QM", "QB/VDC", "QW"}) {
+        if (const Record::Field* given = record.peek(field); given && given->given)
+            reading.check_hourglass(record, field);
+    }
     reading.model.hourglass.push_back(record);
 }
 

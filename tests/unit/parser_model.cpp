@@ -3,6 +3,8 @@
 #include "parser/layout.h"
 #include "tests/unit/parser_support.h"
 
+#include <fmt/format.h>
+
 namespace plash {
 namespace {
 
@@ -237,20 +239,20 @@ TEST(Checks, UnitsThatDoNotFitAreDoubted)
 
 TEST(Fates, UnusedFieldsAreListedWithTheirReason)
 {
-    ReadResult result = read_text("*DEFINE_CURVE\n1,,,,,,2\n0.,0.\n1.,1.\n*CONTROL_TIMESTEP\n0.,.9,0,1e-6\n");
+    ReadResult result = read_text("*DEFINE_CURVE\n1,,,,,,2\n0.,0.\n1.,1.\n*CONTROL_TIMESTEP\n0.,.9,0,,,,,1\n");
     list_unread_fields(result.model, result.report);
     ASSERT_EQ(result.report.ignored.size(), 2u);
     EXPECT_EQ(result.report.ignored[0].field, "DATTYP");
     EXPECT_EQ(result.report.ignored[0].value, "2");
     EXPECT_NE(result.report.ignored[0].reason.find("discretises"), std::string::npos);
-    EXPECT_EQ(result.report.ignored[1].field, "TSLIMT");
+    EXPECT_EQ(result.report.ignored[1].field, "MS1ST");
 }
 
 /// Every field of these keywords acts or says why not.
 TEST(Fates, TimeControlsLeaveNoFieldWithoutAnAnswer)
 {
     ReadResult result =
-        read_text("*CONTROL_TIMESTEP\n1.,.9,1,1e-6,-1.,,1,1\n.5,3,-7,,,2,1.,1\n3,1,2,1\n"
+        read_text("*CONTROL_TIMESTEP\n1.,.9,1,1e-6,-1.,,1,1\n.5,3,1,,,2,1.,1\n3,1,2,1\n"
                   "*CONTROL_TERMINATION\n1.,9,1.,1.,1.,1\n*CONTROL_ENERGY\n2,1,2,2,1,2,2,2\n");
     EXPECT_TRUE(result.ok);
     list_unread_fields(result.model, result.report);
@@ -259,8 +261,48 @@ TEST(Fates, TimeControlsLeaveNoFieldWithoutAnAnswer)
         fields += field.field + ' ';
         EXPECT_NE(field.reason, "") << field.field;
     }
-    EXPECT_EQ(fields, "TSLIMT MS1ST DT2MSF DT2MSLC IMSCL RMSCL EMSCL IHDO RMAVG IGADO DTUSR DTDYNV NOSOL "
+    EXPECT_EQ(fields, "MS1ST DT2MSLC RMSCL EMSCL IHDO RMAVG IGADO DTUSR DTDYNV "
                       "HGEN RWEN SLNTEN RYLEN IRGEN MATEN DRLEN DISEN ");
+}
+
+/// Coefficients of hourglass control that are far too large, or negative, are named where they stand; those
+/// of types 6 and 7 may be large.
+TEST(Fates, HourglassCoefficientsBeyondTheUsualAreNamed)
+{
+    const auto warnings = [](const std::string& text) {
+        const ReadResult result = read_text(text);
+        EXPECT_TRUE(result.ok) << text;
+        std::string all;
+        for (const Message& message : result.report.warnings)
+            all += fmt::format("{} {} {}: {}\n", message.keyword, message.field, message.where.line,
+                               message.text);
+        return all;
+    };
+    const std::string large = warnings("*HOURGLASS\n1,2,1.5,0,1.5,.06,.1,.2\n");
+    EXPECT_NE(large.find("HOURGLASS QM 2: 1.5 is above 0.15"), std::string::npos) << large;
+    EXPECT_NE(large.find("HOURGLASS QW 2: 0.2 is above 0.15"), std::string::npos) << large;
+    EXPECT_EQ(large.find("QB/VDC"), std::string::npos) << large;
+    EXPECT_NE(warnings("*CONTROL_HOURGLASS\n4,.5\n").find("CONTROL_HOURGLASS QH 2: 0.5 is above"),
+              std::string::npos);
+    EXPECT_NE(warnings("*HOURGLASS\n1,6,-.1\n").find("QM 2: -0.1 is negative"), std::string::npos);
+    for (const char* usual : {"*HOURGLASS\n1,2,.15\n", "*HOURGLASS\n1,6,1.0\n", "*HOURGLASS\n1,7,1.0\n",
+                              "*CONTROL_HOURGLASS\n4,.1\n"})
+        EXPECT_EQ(warnings(usual).find("Q"), std::string::npos) << usual;
+}
+
+/// IMSCL, ERODE and NOSOL as the Model has them; what they cannot be is said.
+TEST(Fates, TimeControlsSayWhatTheyCannotBe)
+{
+    const auto first_error = [](const std::string& text) {
+        const ReadResult result = read_text(text);
+        return result.report.errors.empty() ? std::string() : result.report.errors.front().text;
+    };
+    EXPECT_EQ(first_error("*CONTROL_TIMESTEP\n,.9,,,-1.\n,,-7\n"), "there is no set of parts 7");
+    EXPECT_NE(first_error("*CONTROL_TIMESTEP\n,.9,,,-1.\n,,2\n").find("2 is neither 1"), std::string::npos);
+    EXPECT_NE(first_error("*CONTROL_TIMESTEP\n,.9,,,,,12\n").find("12 is no sum"), std::string::npos);
+    EXPECT_NE(first_error("*CONTROL_TERMINATION\n1.,,,,,2\n").find("2 is neither 0"), std::string::npos);
+    const TimeControls beams = read_text("*CONTROL_TIMESTEP\n,.9,,,,,101\n").model.controls.time;
+    EXPECT_TRUE(beams.erode_small_beams && beams.erode_small_step && !beams.erode_small_shells);
 }
 
 /// A keyword with a slip of the pen is told what it may be.
