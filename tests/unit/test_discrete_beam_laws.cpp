@@ -159,6 +159,17 @@ TEST(DiscreteBeamLaws, SidDamperClosesItsOrificesAsThePistonPassesThem)
     point.rate[0] = 0.7;
     EXPECT_NEAR(law->damping(point)[0], (at(4.1, 0.7 + 1e-5) - at(4.1, 0.7 - 1e-5)) / 2e-5, 1e-4);
     EXPECT_EQ(law->stiffness(point)[0], 50);
+    point.length = 1.5;
+    EXPECT_EQ(law->damping(point)[0], 7);
+    const auto with = [&](std::string_view name, double value) {
+        Record changed = material;
+        for (Record::Field& field : changed.fields)
+            if (field.name == name) field.value = value;
+        return make_discrete_beam_law(changed, model);
+    };
+    EXPECT_EQ(with("STF", 5)->stiffness(point)[0], 1.5 * 5); // SF times the steepest slope of LCIDF
+    EXPECT_THROW(with("K", -1), DeckError);
+    EXPECT_THROW(with("C", 10), DeckError); // the fluid would drive the piston
 }
 
 TEST(DiscreteBeamLaws, CableCarriesTensionAloneAndHoldsItsPreload)

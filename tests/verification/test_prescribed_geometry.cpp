@@ -88,6 +88,55 @@ TEST(PrescribedGeometry, AReleasedCubeKeepsItsEnergyNearTheLimitOfItsStep)
     EXPECT_LT(run.scene->ledger.balance_error(), 0.02);
 }
 
+// A node that the file leaves out stays where it is, whatever pulls at it; a body cannot be followed.
+TEST(PrescribedGeometry, NodesThatAreNotInTheFileStay)
+{
+    const testing::TemporaryFolder folder;
+    std::ofstream(folder / "geometry.txt") << "12,1e-3,0,0\n13,1e-3,0,0\n16,1e-3,0,0\n17,1e-3,0,0\n";
+    const auto outcome_of = [&](const std::string& deck, Vec3& left) {
+        testing::DeckRun run(deck);
+        RunOptions options;
+        options.geometry = read_prescribed_geometry(folder / "geometry.txt", run.read->model);
+        Recorders recorders;
+        recorders.push_back(std::make_unique<EachCycle>([&](const Clock& clock, const State& state) {
+            if (clock.cycle == 0) left = state.position[0];
+        }));
+        return plash::run(*run.scene, recorders, options);
+    };
+    Vec3 left{1, 1, 1};
+    outcome_of(cube(2), left);
+    EXPECT_EQ(norm(left), 0);
+    std::string body = cube(2);
+    body.insert(body.find("*END"), "*SET_NODE_LIST\n1\n12,13\n*CONSTRAINED_NODAL_RIGID_BODY\n7,0,1\n");
+    const Outcome refused = outcome_of(body, left);
+    EXPECT_EQ(refused.termination, Outcome::Termination::error);
+    EXPECT_NE(refused.message.find("node 12 belongs to a rigid body"), std::string::npos) << refused.message;
+}
+
+// The rotations of the file bend a strip of shells to a curvature of 1e-3: moment E t^3 / 12 a width, energy
+// E t^3 kappa^2 / 24 an area.
+TEST(PrescribedGeometry, RotationsBendShells)
+{
+    testing::DeckRun run(
+        "*KEYWORD\n*CONTROL_TERMINATION\n1,1\n*PART\nstrip\n1,1,1\n*SECTION_SHELL\n1,2,0.833,2\n"
+        "0.1,0.1,0.1,0.1\n*MAT_ELASTIC\n1,8000,2e11,0.0\n"
+        "*CONTROL_DYNAMIC_RELAXATION\n0,0,0,0,0,0,0,2\n"
+        "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n*ELEMENT_SHELL\n1,1,1,2,3,4\n*END\n");
+    const testing::TemporaryFolder folder;
+    std::ofstream(folder / "geometry.txt") << "1,0,0,0,0,5e-4,0\n4,0,0,0,0,5e-4,0\n"
+                                              "2,0,0,0,0,-5e-4,0\n3,0,0,0,0,-5e-4,0\n";
+    RunOptions options;
+    options.geometry = read_prescribed_geometry(folder / "geometry.txt", run.read->model);
+    double energy = 0;
+    Recorders recorders;
+    recorders.push_back(std::make_unique<EachCycle>([&](const Clock& clock, const State&) {
+        if (clock.cycle == 0) energy = run.scene->ledger.internal;
+    }));
+    run.outcome = plash::run(*run.scene, recorders, options);
+    const double expected = 2e11 * 1e-3 / 24 * 1e-6;
+    EXPECT_NEAR(energy, expected, 1e-6 * expected);
+}
+
 TEST(PrescribedGeometry, WrongFilesSayWhere)
 {
     EXPECT_NE(message_of("12,1,2\n", 2).find(":1: a node, three displacements"), std::string::npos);
