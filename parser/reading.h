@@ -135,8 +135,8 @@ struct Reading {
         return found == motions.end() ? Affine{} : found->second;
     }
 
-    /// Warns of a coefficient of hourglass control of type IHQ that does not damp or does so too fast: viscous
-    /// and stiffness forms (0 to 5) are meant for up to 0.15 (LS-DYNA manual, QM of *HOURGLASS).
+    /// Warns of a coefficient of hourglass control of type IHQ that does not damp or does so too fast:
+    /// viscous and stiffness forms (0 to 5) are meant for up to 0.15 (LS-DYNA manual, QM of *HOURGLASS).
     void check_hourglass(const Record& record, std::string_view field);
     void error(const Record& record, std::string_view field, std::string text);
     void warning(const Record& record, std::string_view field, std::string text);

@@ -239,7 +239,8 @@ TEST(Checks, UnitsThatDoNotFitAreDoubted)
 
 TEST(Fates, UnusedFieldsAreListedWithTheirReason)
 {
-    ReadResult result = read_text("*DEFINE_CURVE\n1,,,,,,2\n0.,0.\n1.,1.\n*CONTROL_TIMESTEP\n0.,.9,0,,,,,1\n");
+    ReadResult result =
+        read_text("*DEFINE_CURVE\n1,,,,,,2\n0.,0.\n1.,1.\n*CONTROL_TIMESTEP\n0.,.9,0,,,,,1\n");
     list_unread_fields(result.model, result.report);
     ASSERT_EQ(result.report.ignored.size(), 2u);
     EXPECT_EQ(result.report.ignored[0].field, "DATTYP");

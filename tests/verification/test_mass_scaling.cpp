@@ -117,7 +117,8 @@ TEST(BeamErosion, BeamsGoWhenTheirStepFallsBelowDtmin)
             testing::DeckRun made(fmt::format(
                 "*KEYWORD\n*CONTROL_TERMINATION\n2.0,0,0.6\n*CONTROL_TIMESTEP\n0.0,0.1,0,0.0,0.0,,{}\n"
                 "*PART\ntruss\n1,1,1\n*SECTION_BEAM\n1,3\n1.0\n*MAT_ELASTIC\n1,1.0,1.0,0.0\n"
-                "*NODE\n1,0,0,0\n2,1,0,0\n3,0,9,0\n4,1,9,0\n*ELEMENT_BEAM\n1,1,1,2\n2,1,3,4\n*ELEMENT_MASS\n1,2,10.0\n"
+                "*NODE\n1,0,0,0\n2,1,0,0\n3,0,9,0\n4,1,9,0\n*ELEMENT_BEAM\n1,1,1,2\n2,1,3,4\n*ELEMENT_"
+                "MASS\n1,2,10.0\n"
                 "*SET_NODE_LIST\n1\n1\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
                 "*INITIAL_VELOCITY_NODE\n2,-0.5\n*END\n",
                 erode));
