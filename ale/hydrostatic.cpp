@@ -1,5 +1,6 @@
 #include "ale/hydrostatic.h"
 
+#include "ale/cell_pieces.h"
 #include "core/run_error.h"
 #include "materials/parameters.h"
 #include "model/eulerian.h"
@@ -187,6 +188,26 @@ private:
     std::vector<double> depths_, pressures_;
 };
 
+/// By how much more a cell that the free surface passes has to be filled than by the volume below the
+/// surface, so that it rests. One pressure P and one density d of a cell press on a node z above its middle
+/// with P - d g z: nothing on its dry upper nodes and the weight of the column on those below, if d is that
+/// of the fluid times the share of the cell's height that is wet. Where a cell is no parallelepiped this is
+/// not the share of its volume. Between upright walls the cells of a layer change their fluid only among
+/// one another. One for cells whose ends are not level: no fraction balances all of their nodes.
+double surface_correction(const FluidCell& cell, const Still& still)
+{
+    const CellDepth depth = depth_of(cell, still);
+    const double round_off = 1e-9 * depth.half_height;
+    for (const Vec3& point : cell.points)
+        if (std::abs(std::abs(still.depth(point) - depth.middle) - depth.half_height) > round_off) return 1;
+    Container below;
+    below.origin = still.surface;
+    below.normal = still.down;
+    const double wet_volume = share_of_cell(below, cell);
+    const double wet_height = 0.5 * (1 + depth.middle / depth.half_height);
+    return wet_volume > 0 ? wet_height / wet_volume : 1;
+}
+
 } // namespace
 
 std::vector<double> pressures_below(double top, const std::function<double(double, double)>& density,
@@ -235,12 +256,16 @@ bool set_hydrostatic_state(Fluid& fluid, const MeshBlock& block, const DeckGroup
             // Cells below the surface that are not full end at structures, which press as the water would.
             const bool at_surface = filled < 1 && depth.middle < depth.half_height;
             const double pressure = profile.at(at_surface ? depth.half_height : depth.middle);
+            const double more = at_surface && filled > 0 && !block.is_box()
+                                    ? std::min(surface_correction(cell, still), 1 / filled)
+                                    : 1;
             for (const DeckGroup& group : groups.groups) {
                 if (group.fluid == none) continue;
                 const double share = mixed ? fluid.fields.groups[group.fluid].fraction[cell.place] : 1;
                 if (share == 0) continue;
                 const double density = density_at_pressure(group.law, pressure, group.energy_per_mass);
-                fluid.fill_place(cell.place, cell.volume, group.fluid, share, density, group.energy_per_mass);
+                fluid.fill_place(cell.place, cell.volume, group.fluid, more * share, density,
+                                 group.energy_per_mass);
             }
         }
     }

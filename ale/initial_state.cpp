@@ -1,5 +1,6 @@
 #include "ale/initial_state.h"
 
+#include "ale/cell_pieces.h"
 #include "ale/container.h"
 #include "model/eulerian.h"
 
@@ -154,67 +155,20 @@ std::vector<Geometry> geometries_of(const Model& model, const DeckGroups& groups
     return result;
 }
 
-/// A piece of a cell, as a box along the global axes that reaches as far as the piece.
-struct Piece {
-    Vec3 centre, half; ///< [length]
-    double volume;     ///< up to a factor
-};
-
-Vec3 magnitudes(const Vec3& v)
-{
-    return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
-}
-
-/// Piece (i, j, k) of `cuts` along each axis of a cell.
-Piece piece_of(const FluidCell& cell, bool is_box, int cuts, const std::array<int, 3>& number)
-{
-    if (is_box) {
-        const Vec3 &low = cell.points[0], &high = cell.points[7];
-        const Vec3 centre{0.5 * (low.x + high.x), 0.5 * (low.y + high.y), 0.5 * (low.z + high.z)};
-        const Vec3 half{0.5 * (high.x - low.x), 0.5 * (high.y - low.y), 0.5 * (high.z - low.z)};
-        const Vec3 part = (1.0 / cuts) * half;
-        return {{centre.x - half.x + (2 * number[0] + 1) * part.x,
-                 centre.y - half.y + (2 * number[1] + 1) * part.y,
-                 centre.z - half.z + (2 * number[2] + 1) * part.z},
-                part,
-                1};
-    }
-    Vec3 centre{}, slope[3]{};
-    for (int corner = 0; corner < 8; ++corner) {
-        double factor[3], sign[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            const double at = (number[axis] + 0.5) / cuts;
-            const bool upper = corner >> axis & 1;
-            factor[axis] = upper ? at : 1 - at;
-            sign[axis] = upper ? 1 : -1;
-        }
-        centre += (factor[0] * factor[1] * factor[2]) * cell.points[corner];
-        slope[0] += (sign[0] * factor[1] * factor[2]) * cell.points[corner];
-        slope[1] += (factor[0] * sign[1] * factor[2]) * cell.points[corner];
-        slope[2] += (factor[0] * factor[1] * sign[2]) * cell.points[corner];
-    }
-    const Vec3 reach = magnitudes(slope[0]) + magnitudes(slope[1]) + magnitudes(slope[2]);
-    return {centre, (0.5 / cuts) * reach, std::abs(dot(slope[0], cross(slope[1], slope[2])))};
-}
-
 /// Containers fill a cell one after the other. Cells that a surface passes are cut into `cuts` per axis, each
 /// piece by the plane that the surface is there: the error falls with the square of the piece.
 void fill_by_containers(Filling& filling, const Geometry& geometry, const FluidCell& cell, bool is_box)
 {
-    constexpr int cuts = 8;
-    const Piece whole = piece_of(cell, is_box, 1, {0, 0, 0});
-    const double reach = norm(whole.half);
     bool cut = false;
-    for (const Container& container : geometry.containers)
-        cut = cut || std::abs(container.depth(whole.centre)) < reach;
-    const int pieces = cut ? cuts : 1;
+    for (const Container& container : geometry.containers) cut = cut || passes_cell(container, cell, is_box);
+    const int pieces = cut ? cell_cuts : 1;
     double weights = is_box ? pieces * pieces * pieces : 0;
     Filling sum{std::vector<double>(filling.share.size()), std::vector<Vec3>(filling.share.size())};
     Filling part = sum;
     for (int k = 0; k < pieces; ++k) {
         for (int j = 0; j < pieces; ++j) {
             for (int i = 0; i < pieces; ++i) {
-                const Piece piece = piece_of(cell, is_box, pieces, {i, j, k});
+                const CellPiece piece = piece_of_cell(cell, is_box, pieces, {i, j, k});
                 if (!is_box) weights += piece.volume;
                 const double weight = is_box ? 1 / weights : piece.volume;
                 std::fill(part.share.begin(), part.share.end(), 0.0);
