@@ -17,21 +17,21 @@ constexpr double least_open = 0.5;
 /// such gaps.
 constexpr double nearly_full = 1 - 1e-3;
 
-/// Nodes bear no more of a face than twice their mass over that of its heaviest node: those with next to
+/// Nodes bear no more of a face than twice their fluid over that of its fullest node: those with next to
 /// nothing, a drop of spray, would be thrown away by it. The others bear the rest.
-void spare_light_nodes(const std::array<std::ptrdiff_t, 4>& node, std::array<double, 4>& weight,
-                       const AlignedDoubles& mass)
+/// fluid  what each node has [volume, or mass where there is one fluid]
+void spare_light_nodes(const std::array<double, 4>& fluid, std::array<double, 4>& weight)
 {
-    double heaviest = 0, sum = 0;
+    double fullest = 0, sum = 0;
     for (int n = 0; n < 4; ++n) {
-        heaviest = std::max(heaviest, mass[node[n]]);
+        fullest = std::max(fullest, fluid[n]);
         sum += weight[n];
     }
-    if (!(heaviest > 0)) return;
+    if (!(fullest > 0)) return;
     double kept = 0, excess = 0;
     std::array<double, 4> free = weight; // of those that can bear more
     for (int n = 0; n < 4; ++n) {
-        const double most = 2 * mass[node[n]] / heaviest * sum;
+        const double most = 2 * fluid[n] / fullest * sum;
         if (weight[n] > most) {
             excess += weight[n] - most;
             weight[n] = most;
@@ -71,6 +71,24 @@ std::array<std::ptrdiff_t, 8> CutCells::nodes_of(const Cell& cell) const
     return nodes;
 }
 
+/// What a node has of all fluids: their mass, or where there are several, of which a light one fills as much
+/// as a heavy one, their volume at the densities of reference.
+double CutCells::fluid_at(std::ptrdiff_t node) const
+{
+    if (fluid_count() == 1) return fluid_.fields.node_mass[node];
+    const BoxGrid& grid = fluid_.grid;
+    double sum = 0;
+    for (int g = 0; g < fluid_count(); ++g) {
+        double mass = 0;
+        for (int n = 0; n < 8; ++n)
+            mass +=
+                fluid_.fields.groups[g].mass[node - (n & 1) * grid.stride(0) - (n >> 1 & 1) * grid.stride(1) -
+                                             (n >> 2 & 1) * grid.stride(2)];
+        sum += mass / fluid_.groups[g].reference_density;
+    }
+    return sum;
+}
+
 bool CutCells::in_box(const std::array<int, 3>& index) const
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -101,7 +119,9 @@ Index CutCells::add_face(int axis, const std::array<int, 3>& index)
     face.node = {place, place + grid.stride(a), place + grid.stride(b),
                  place + grid.stride(a) + grid.stride(b)};
     face.weight = {area * (1 - s) * (1 - t), area * s * (1 - t), area * (1 - s) * t, area * s * t};
-    spare_light_nodes(face.node, face.weight, fluid_.fields.node_mass);
+    std::array<double, 4> fluid;
+    for (int n = 0; n < 4; ++n) fluid[n] = fluid_at(face.node[n]);
+    spare_light_nodes(fluid, face.weight);
     const auto between = [&](int along, double part) {
         const std::vector<double>& planes = grid.planes(along);
         const double low = planes[index[along]];
@@ -471,10 +491,13 @@ void CutCells::share_outflow(int axis)
         if (!(sum > 0)) continue;
         for (int side = 0; side < 2; ++side) {
             const Face& face = faces_[cell.face[2 * axis + side]];
+            double shares = 0; // the covered part counts as empty space to the interface
+            for (const GroupFields& own : fluid_.fields.groups)
+                shares += own.share_of_outflow[side][cell.place];
             for (GroupFields& own : fluid_.fields.groups) {
                 double& share = own.share_of_outflow[side][cell.place];
                 if (group.filled >= 1 || face.joint)
-                    share = own.fraction[cell.place] / sum;
+                    share = shares > 0 ? share / shares : own.fraction[cell.place] / sum;
                 else if (face.open > 0)
                     share = std::min(share / face.open, 1.0);
             }

@@ -127,6 +127,7 @@ private:
     Index add_cell(const std::array<int, 3>& index, double open);
     Index add_face(int axis, const std::array<int, 3>& index);
     std::array<int, 3> beyond(const Cell& cell, int side) const;
+    double fluid_at(std::ptrdiff_t node) const;
     bool in_box(const std::array<int, 3>& index) const;
     void join(Index cell, const BoxCuts& cuts);
     Index root(Index cell) const;

@@ -405,4 +405,99 @@ TEST(AleCutCells, ElasticBoxFloatsAtItsDraught)
     EXPECT_LT(box.balance, 5e-5);
 }
 
+namespace {
+
+/// Groups 1 and 2: water, and air above it, an ideal gas at `pressure`; group 3: empty space.
+std::string water_and_air(double sound, double pressure)
+{
+    return fmt::format(
+        "*ALE_MULTI-MATERIAL_GROUP\n1,1\n3,1\n2,1\n*PART\nwater\n1,1,1,1\n*PART\nempty\n2,1,2\n"
+        "*PART\nair\n3,1,3,3\n*SECTION_SOLID\n1,11\n*MAT_NULL\n1,1000,-1e4\n"
+        "*EOS_LINEAR_POLYNOMIAL\n1,0,{}\n\n*MAT_VACUUM\n2,0\n*MAT_NULL\n3,1.2\n"
+        "*EOS_LINEAR_POLYNOMIAL\n3,0,0,0,0,0.4,0.4\n{}\n",
+        1000 * sound * sound, pressure / 0.4);
+}
+
+double total_energy_of(const BoxFluid& fluid, int group)
+{
+    double sum = 0;
+    for_cells(fluid.grid,
+              [&](int i, int j, int k) { sum += fluid.fields.groups[group].energy[fluid.grid.at(i, j, k)]; });
+    return sum;
+}
+
+struct UnderAir {
+    double too_deep = 0; ///< in cells
+    double balance = 0, water_lost = 0, air_lost = 0;
+    double pressure = 0; ///< of the air, by its energy, over that of the start
+};
+
+/// Half a plane tank with half a box of empty space that floats in water under air, closed on all sides.
+UnderAir float_under_air(int cells, double pressure, int coupled_groups = 0)
+{
+    constexpr double half = 0.0775, draught = 0.075, level = 0.26, height = 0.15, tank = 0.2,
+                     low = level - draught + 0.005, end = 3;
+    const double cell = 0.4 / cells, weight = 1000 * draught + 1.2 * (height - draught);
+    int first = 100000;
+    const Vec3 corner{0, 0, low}, along{0, cell, 0}, across{half, 0, 0}, up{0, 0, height};
+    std::string shells = testing::shell_patch(20, first, corner, along, across, 1, 12);
+    shells += testing::shell_patch(20, first, corner + across, along, up, 1, 24);
+    shells += testing::shell_patch(20, first, corner + up, across, along, 12, 1);
+    EulerianRun run(
+        testing::structured_mesh({0, 0, 0}, {tank, cell, 0.4}, {cells / 2, 1, cells}) +
+        water_and_air(40, pressure) +
+        fmt::format(
+            "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n5,0,1\n0,0,0,1,1,{}\n5,0,3\n0,0,{},{},1,{}\n",
+            level, low, half, low + height) +
+        cutting_shells(20, 0.01, rigid_cutter(20, weight * half / (2 * half + height) / 0.01, 4)) +
+        fmt::format("*CONSTRAINED_LAGRANGE_IN_SOLID\n20,10,1,1,2,4,1,{}\n\n", coupled_groups) +
+        with_cut_cells + shells + testing::gravity(9.81) + testing::closed(end));
+    const std::size_t node = place_of_node(run, 100000);
+    const BoxFluid& fluid = run.term<EulerianFluid>().box();
+    const double water = fluid.total_mass(0), air = fluid.total_mass(1);
+    const double energy = total_energy_of(fluid, 1);
+    double sum = 0, span = 0;
+    run.run([&](const Clock& clock, const State& state) {
+        if (clock.time < 1) return;
+        sum += state.position[node].z * clock.step;
+        span += clock.step;
+    });
+    const double floor = sum / span, volume = level * (tank - half) + low * half;
+    const double surface = (volume - floor * half) / (tank - half);
+    return {(surface - floor - draught) / cell, run.scene().ledger.balance_error(),
+            std::abs(fluid.total_mass(0) / water - 1), std::abs(fluid.total_mass(1) / air - 1),
+            total_energy_of(fluid, 1) / energy};
+}
+
+} // namespace
+
+// Measured 0.011, 0.013 and 0.020 cells too deep, balance below 7e-7, masses to round-off, pressure 1.017,
+// 1.011 and 1.0007. While what left a full cut cell was a uniform mixture, air came below the floor and the
+// step fell to 4e-9; while faces spared nodes with little mass, as if air were spray, air whirled along the
+// waterline until a third of its energy was left.
+TEST(AleCutCells, BoxFloatsInWaterUnderAir)
+{
+    const Threads one(1);
+    for (const auto& [cells, pressure] : {std::pair(8, 100.), std::pair(16, 100.), std::pair(16, 1000.)}) {
+        const UnderAir box = float_under_air(cells, pressure);
+        EXPECT_NEAR(box.too_deep, 0, 0.05) << cells << " cells, " << pressure;
+        EXPECT_LT(box.balance, 1e-5);
+        EXPECT_LT(box.water_lost, 1e-12);
+        EXPECT_LT(box.air_lost, 1e-12);
+        EXPECT_NEAR(box.pressure, 1, 0.03) << cells << " cells, " << pressure;
+    }
+}
+
+TEST(AleCutCells, WantAllGroupsCoupled)
+{
+    try {
+        float_under_air(8, 100, 1);
+        FAIL() << "nobody complained";
+    } catch (const DeckError& error) {
+        EXPECT_GT(error.where.line, 0u);
+        EXPECT_NE(std::string(error.what()).find("MCOUP must name all groups"), std::string::npos)
+            << error.what();
+    }
+}
+
 } // namespace plash
