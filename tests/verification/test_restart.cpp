@@ -182,26 +182,22 @@ TEST_P(RestartOf, EveryRestartFileOfARunLeadsToTheSameEnd)
     EXPECT_EQ(count, 4);
 }
 
-// A box that floats in water that it cuts, before and while its floor passes from a layer of cells to the
-// next.
-TEST(Restart, BodiesThatCutCellsGoOn)
+namespace {
+
+/// A run of 0.15 s with bodies that cut cells of a plane tank, as a whole and from two of its restart files
+/// on.
+void expect_cutters_to_go_on(const std::string& body, const std::string& filling)
 {
     const TemporaryFolder folder;
     const fs::path deck = folder / "box.k";
-    int first = 100000;
-    const Vec3 corner{0, 0, 0.17}, along{0, 0.05, 0}, floor{0.08, 0, 0}, up{0, 0, 0.2};
     std::ofstream(deck)
         << "*KEYWORD\n"
         << testing::structured_mesh({0, 0, 0}, {0.2, 0.05, 0.4}, {8, 1, 16})
-        << testing::liquid_and_void(1000, 20) << testing::liquid_in_box({0, 0, 0}, {0.2, 1, 0.26})
-        << "5,0,2\n0,0,0.17,0.08,1,1\n"
+        << testing::liquid_and_void(1000, 20) << filling
         << "*PART\nbox\n20,20,20\n*SECTION_SHELL\n20,2\n0.01,0.01,0.01,0.01\n"
-           "*MAT_RIGID\n20,2000,2e11,0.3\n1,4,7\n\n"
            "*CONSTRAINED_LAGRANGE_IN_SOLID\n20,10,1,1,2,4,1,1\n\n*PLASH_ALE_FORMULATION\n0,1\n"
            "*DATABASE_GLSTAT\n1e-3\n*DATABASE_BINARY_D3PLOT\n0.02\n*DATABASE_BINARY_D3DUMP\n60\n"
-        << testing::shell_patch(20, first, corner, along, floor, 1, 4)
-        << testing::shell_patch(20, first, corner + floor, along, up, 1, 8) << testing::gravity(9.81)
-        << testing::closed(0.15);
+        << body << testing::gravity(9.81) << testing::closed(0.15);
     ASSERT_EQ(Process(run_command(deck, folder / "run", false)).exit_code(), 0);
     const auto whole = results_in(folder / "run");
     for (const char* name : {"d3dump01", "d3dump03"}) {
@@ -211,6 +207,35 @@ TEST(Restart, BodiesThatCutCellsGoOn)
         ASSERT_EQ(Process(words).exit_code(), 0) << name;
         expect_same_files(whole, folder / "run");
     }
+}
+
+} // namespace
+
+// A box that floats in water that it cuts, before and while its floor passes from a layer of cells to the
+// next.
+TEST(Restart, BodiesThatCutCellsGoOn)
+{
+    int first = 100000;
+    const Vec3 corner{0, 0, 0.17}, along{0, 0.05, 0}, floor{0.08, 0, 0}, up{0, 0, 0.2};
+    std::string box = "*MAT_RIGID\n20,2000,2e11,0.3\n1,4,7\n\n";
+    box += testing::shell_patch(20, first, corner, along, floor, 1, 4);
+    box += testing::shell_patch(20, first, corner + floor, along, up, 1, 8);
+    expect_cutters_to_go_on(box,
+                            testing::liquid_in_box({0, 0, 0}, {0.2, 1, 0.26}) + "5,0,2\n0,0,0.17,0.08,1,1\n");
+}
+
+// A rubber sheet across the tank, held at both ends, that sinks 5 mm through the surface of a layer of cells
+// and bends on the water.
+TEST(Restart, BodiesThatBendInCutCellsGoOn)
+{
+    int first = 100000;
+    std::string sheet = "*MAT_ELASTIC\n20,2000,1e6,0.3\n";
+    sheet += testing::shell_patch(20, first, {0, 0, 0.23}, {0, 0.05, 0}, {0.2, 0, 0}, 1, 12);
+    sheet += fmt::format("*SET_NODE_LIST\n1\n100000,100001,{},{}\n*BOUNDARY_SPC_SET\n1,0,1,0,1,0,0,0\n",
+                         first - 2, first - 1);
+    sheet += "*SET_NODE_LIST_GENERATE\n2\n100000," + std::to_string(first - 1) +
+             "\n*BOUNDARY_SPC_SET\n2,0,0,1,0,1,0,1\n";
+    expect_cutters_to_go_on(sheet, testing::liquid_in_box({0, 0, 0}, {0.2, 1, 0.22}));
 }
 
 TEST(Restart, ParticlesThatWaitInSolidsComeOutAgain)
