@@ -180,6 +180,52 @@ Index CutCells::root(Index cell) const
     return cell;
 }
 
+/// Cells that the surface cuts, and those beside them, which it may come to cut.
+void CutCells::keep_resting(const BoxCuts& cuts)
+{
+    std::vector<std::array<int, 3>> near;
+    for (const BoxCuts::Cell& cut : cuts.cells()) {
+        near.push_back(cut.index);
+        for (int side = 0; side < 6; ++side) {
+            near.push_back(cut.index);
+            near.back()[side / 2] += side % 2 == 0 ? -1 : 1;
+        }
+    }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (const std::array<int, 3>& index : near) {
+        if (!in_box(index)) continue;
+        const std::ptrdiff_t place = fluid_.grid.at(index[0], index[1], index[2]);
+        const double open = cuts.open_share(index[0], index[1], index[2]);
+        if (!(open > 0 && fluid_.fields.total_mass()[place] > 0)) continue;
+        Resting cell{index, open, {}, {}, {}};
+        for (const GroupFields& own : fluid_.fields.groups) {
+            cell.mass.push_back(own.mass[place]);
+            cell.energy.push_back(own.energy[place]);
+            cell.fraction.push_back(own.fraction[place]);
+        }
+        resting_.push_back(std::move(cell));
+    }
+}
+
+void CutCells::fill_at_rest(const BoxCuts& cuts)
+{
+    if (resting_.empty()) keep_resting(cuts);
+    FluidFields& fields = fluid_.fields;
+    for (const Resting& cell : resting_) {
+        const std::ptrdiff_t place = fluid_.grid.at(cell.index[0], cell.index[1], cell.index[2]);
+        const double ratio = cuts.open_share(cell.index[0], cell.index[1], cell.index[2]) / cell.open;
+        double mass = 0;
+        for (int g = 0; g < fluid_count(); ++g) {
+            GroupFields& own = fields.groups[g];
+            mass += own.mass[place] = ratio * cell.mass[g];
+            own.energy[place] = ratio * cell.energy[g];
+            own.fraction[place] = std::min(ratio * cell.fraction[g], 1.0);
+        }
+        if (fluid_count() > 1) fields.mass_of_groups[place] = mass;
+    }
+}
+
 void CutCells::begin(const BoxCuts& cuts)
 {
     clear();

@@ -31,6 +31,10 @@ public:
         Vec3 middle{};       ///< where the pressure stands [length]
     };
 
+    /// For a structure that looks for its place beside fluid at rest: gives the cells that the surface cuts
+    /// now as much fluid as their open parts have at the densities of the first call, so that the pressure
+    /// stays that of the start.
+    void fill_at_rest(const BoxCuts& cuts);
     /// What the surface cuts at t_n.
     void begin(const BoxCuts& cuts);
     Index group_of(std::ptrdiff_t place) const
@@ -101,6 +105,12 @@ private:
     struct Content {
         double mass = 0, energy = 0, volume = 0, share = 0;
     };
+    /// Fluid of a cell at rest, in its open part.
+    struct Resting {
+        std::array<int, 3> index;
+        double open;
+        std::vector<double> mass, energy, fraction; ///< by fluid
+    };
     struct Kept {
         std::ptrdiff_t place;
         int fluid;
@@ -113,6 +123,7 @@ private:
     std::vector<Group> groups_;
     std::vector<Content> contents_; ///< by group and fluid
     std::vector<Kept> kept_;
+    std::vector<Resting> resting_; ///< only while a structure looks for its place
     std::vector<Index> entry_; ///< of cells, by storage place
     std::array<std::vector<Index>, 3> face_entry_;
     std::vector<Index> by_size_; ///< cells from the smallest open share up
@@ -123,6 +134,7 @@ private:
     int fluid_count() const { return static_cast<int>(fluid_.groups.size()); }
     Content& content(Index group, int fluid) { return contents_[std::size_t(group) * fluid_count() + fluid]; }
     void clear();
+    void keep_resting(const BoxCuts& cuts);
     std::array<std::ptrdiff_t, 8> nodes_of(const Cell& cell) const;
     Index add_cell(const std::array<int, 3>& index, double open);
     Index add_face(int axis, const std::array<int, 3>& index);

@@ -315,10 +315,12 @@ void CutCoupling::add_forces(const Clock& clock, State& state)
     if (!state.deleted_shells.empty() || !state.deleted_solids.empty()) check_exposed(clock, state);
     if (has_moved(state)) find_cuts(state.position);
     std::fill(force_.begin(), force_.end(), Vec3{});
+    // Velocities of a structure that looks for its place are displacements.
+    if (clock.relaxing) cells_.fill_at_rest(cuts_[now_]);
     cells_.begin(cuts_[now_]);
-    find_swept(state);
+    if (!clock.relaxing) find_swept(state);
     if (deformable_) find_compliance(state);
-    cells_.find_pressures(clock.last_step);
+    cells_.find_pressures(clock.relaxing ? 0 : clock.last_step);
     const std::array<double, 3> g = fluid_.gravity(clock.time);
     const Vec3 gravity{g[0], g[1], g[2]};
     cells_.press_nodes(gravity, [&](std::ptrdiff_t node, int axis, double force) {
@@ -328,7 +330,7 @@ void CutCoupling::add_forces(const Clock& clock, State& state)
         push_fluid(node, along);
     });
     press_structure(gravity);
-    hold_covered_nodes(clock, state);
+    if (!clock.relaxing) hold_covered_nodes(clock, state);
     for (const NodeForceFromOutside& outside : fluid_.fluid().outside_forces)
         outside_entry_[outside.place] = none;
     for (std::size_t n = 0; n < carriers_.size(); ++n)
