@@ -21,7 +21,8 @@ double density_at_pressure(const FluidGroup& fluid, double pressure, double ener
 /// *INITIAL_HYDROSTATIC_ALE: compresses the fluids of a mesh, which is filled already, so that they rest
 /// under gravity: layers of one group each, every one below a node. A cell that the free surface passes has
 /// the pressure at half its height, which balances on the mesh if its fraction is the share of its height
-/// that is wet: cells with level ends that are no boxes are filled so. Whether the deck has one for this mesh.
+/// that is wet: cells with level ends that are no boxes are filled so. Whether the deck has one for this
+/// mesh.
 bool set_hydrostatic_state(Fluid& fluid, const MeshBlock& block, const DeckGroups& groups,
                            const Model& model);
 

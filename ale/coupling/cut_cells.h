@@ -124,7 +124,7 @@ private:
     std::vector<Content> contents_; ///< by group and fluid
     std::vector<Kept> kept_;
     std::vector<Resting> resting_; ///< only while a structure looks for its place
-    std::vector<Index> entry_; ///< of cells, by storage place
+    std::vector<Index> entry_;     ///< of cells, by storage place
     std::array<std::vector<Index>, 3> face_entry_;
     std::vector<Index> by_size_; ///< cells from the smallest open share up
     std::vector<std::ptrdiff_t> touched_next_;
