@@ -114,7 +114,8 @@ bool FluidCoupling::is_near(std::size_t segment, const State& state) const
         high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
     }
     const Vec3 reach{own.half_thickness, own.half_thickness, own.half_thickness};
-    return !fluid_.fluid().dry_around(low - reach, high + reach, cell_[points_.first_point(segment)], options_.fluids);
+    return !fluid_.fluid().dry_around(low - reach, high + reach, cell_[points_.first_point(segment)],
+                                      options_.fluids);
 }
 
 /// Lists the points at which fluid may stand; most points of most surfaces are far from any. What those that
