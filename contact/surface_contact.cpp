@@ -248,7 +248,7 @@ void SurfaceContact::find_touches()
         pairs.owner.size(), owners_at_once,
         [&](Room& room, std::size_t begin, std::size_t end) {
             finder.find(pairs, begin, end, table_, room.finder);
-            press(begin, end, room.pressed);
+            press(begin, end, finder, room);
         },
         [&](const Room& room) {
             touching_now_ += room.pressed.touches;

@@ -161,8 +161,8 @@ private:
     void wake_particles(const State& state);
     void follow_erosion(const State& state);
     void find_touches();
-    void press(std::size_t begin, std::size_t end, Pressed& pressed);
-    void press_batch(std::size_t owner, std::size_t lanes, Pressed& pressed);
+    void press(std::size_t begin, std::size_t end, const TouchFinder& finder, Room& room);
+    void press_batch(std::size_t owner, std::size_t lanes, const TouchFinder& finder, Room& room);
     unsigned place_touches(const NodeBatch& nodes, const FacetLanes& facets, TouchBatch& touches);
     void press_touches(const NodeBatch& nodes, const FacetLanes& facets, const TouchBatch& touches,
                        Pressed& pressed);

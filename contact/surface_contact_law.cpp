@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 namespace plash {
 
@@ -152,11 +153,10 @@ void SurfaceContact::set_stiffness(int layer, std::size_t owner, unsigned active
 }
 
 /// Brings followed touches of the owners begin to end to where their nodes are and finds the forces of all.
-/// Touches that have ended are taken out, and their nodes are looked up anew in the next cycle. What there is
-/// to sum up is left in `pressed`.
-void SurfaceContact::press(std::size_t begin, std::size_t end, Pressed& pressed)
+/// Nodes whose touches have ended are looked up anew. What there is to sum up is left in the room.
+void SurfaceContact::press(std::size_t begin, std::size_t end, const TouchFinder& finder, Room& room)
 {
-    pressed.clear();
+    room.pressed.clear();
     constexpr std::size_t faces_ahead = 6 * lane_count, corners_ahead = 3 * lane_count;
     const Vec3* place = motion_.position.data();
     const Vec3* velocity = motion_.velocity.data();
@@ -177,15 +177,16 @@ void SurfaceContact::press(std::size_t begin, std::size_t end, Pressed& pressed)
         }
         std::uint64_t any = 0;
         std::memcpy(&any, table_.counts(owner), sizeof any);
-        if (any != 0) press_batch(owner, std::min<std::size_t>(lane_count, end - owner), pressed);
+        if (any != 0) press_batch(owner, std::min<std::size_t>(lane_count, end - owner), finder, room);
     }
 }
 
-void SurfaceContact::press_batch(std::size_t owner, std::size_t lanes, Pressed& pressed)
+void SurfaceContact::press_batch(std::size_t owner, std::size_t lanes, const TouchFinder& finder, Room& room)
 {
     NodeBatch nodes;
     LaneValues thickness;
-    unsigned followed = 0, in_layer[TouchTable::layers] = {}, ended[TouchTable::layers] = {};
+    unsigned followed = 0, in_layer[TouchTable::layers] = {}, ended = 0;
+    std::size_t count = 0;
     nodes.owner = owner;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
         const std::size_t one = owner + std::min(lane, lanes - 1);
@@ -194,28 +195,34 @@ void SurfaceContact::press_batch(std::size_t owner, std::size_t lanes, Pressed& 
         if (lane >= lanes) continue;
         followed |= static_cast<unsigned>(table_.followed(one)) << lane;
         for (int layer = 0; layer < table_.count(one); ++layer) in_layer[layer] |= 1u << lane;
-        pressed.touches += table_.count(one);
+        count += table_.count(one);
     }
     nodes.half_thickness = thickness.lanes();
     nodes.place = points_in_lanes(motion_.position.data(), nodes.node);
     nodes.velocity = points_in_lanes(motion_.velocity.data(), nodes.node);
     nodes.following = mask_of(followed);
+    std::optional<FacetLanes> facets[TouchTable::layers];
+    TouchBatch touches[TouchTable::layers];
     for (int layer = 0; layer < TouchTable::layers && in_layer[layer] != 0; ++layer) {
-        TouchBatch touches;
-        touches.layer = layer;
-        touches.lanes = in_layer[layer];
-        touches.followed = followed & in_layer[layer];
-        const FacetLanes facets(mesh_, table_.facets(layer) + owner, in_layer[layer]);
-        ended[layer] = place_touches(nodes, facets, touches);
-        if (!contact_.constraint) press_touches(nodes, facets, touches, pressed); // else constrain() does
+        touches[layer].layer = layer;
+        touches[layer].lanes = in_layer[layer];
+        touches[layer].followed = followed & in_layer[layer];
+        facets[layer].emplace(mesh_, table_.facets(layer) + owner, in_layer[layer]);
+        ended |= place_touches(nodes, *facets[layer], touches[layer]);
     }
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        unsigned which = 0;
-        for (int layer = 0; layer < TouchTable::layers; ++layer) which |= (ended[layer] >> lane & 1) << layer;
-        if (which == 0) continue;
-        table_.remove(owner + lane, which);
-        search_.pairs().quiet[owner + lane] = 0;
+    if (ended != 0) {
+        // Another facet, which the touch has held off so far, may go on with it in this very cycle.
+        for (; ended != 0; ended &= ended - 1) {
+            const std::size_t one = owner + std::countr_zero(ended);
+            search_.pairs().quiet[one] = 0;
+            finder.find(search_.pairs(), one, one + 1, table_, room.finder);
+        }
+        return press_batch(owner, lanes, finder, room); // none of these is followed any more
     }
+    room.pressed.touches += count;
+    if (contact_.constraint) return; // constrain() does
+    for (int layer = 0; layer < TouchTable::layers && in_layer[layer] != 0; ++layer)
+        press_touches(nodes, *facets[layer], touches[layer], room.pressed);
 }
 
 /// Takes touches that have just been found as they are and brings followed ones to where their nodes are now.
@@ -242,7 +249,7 @@ unsigned SurfaceContact::place_touches(const NodeBatch& nodes, const FacetLanes&
         touches.over &= ~lost;
         touches.s = following ? foot.s : touches.s;
         touches.t = following ? foot.t : touches.t;
-        const LaneMask shallower = following & (depth < baseline);
+        const LaneMask shallower = following & ~lost & (depth < baseline);
         baseline = shallower ? depth : baseline;
         touches.active = depth - baseline;
         store(line(TouchTable::at_s), touches.s);

@@ -71,6 +71,7 @@ private:
     double quiet_until(const PairList& pairs, std::size_t owner, std::span<const Near> near,
                        std::span<const Touch> touches) const;
     bool holds_off(const Touch& touch, const Near& near) const;
+    bool goes_on_in_plane(const Touch& touch) const;
     double room_of(const Touch& touch, int feature) const;
     bool flat_around(Index facet) const;
     bool call_again(PairList& pairs, std::size_t owner, std::span<const Touch> before,

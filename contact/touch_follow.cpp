@@ -1,3 +1,4 @@
+#include "contact/closest_point.h"
 #include "contact/touch.h"
 
 #include <algorithm>
@@ -19,6 +20,9 @@ constexpr double rim_path = 0.02;
 /// Cosine of the angle up to which facets that meet at an edge count as one plane.
 constexpr double nearly_flat = 0.99;
 
+/// Of penetrations, as a share of a facet's size.
+constexpr double same_depth = 1e-9;
+
 } // namespace
 
 /// Whether the facets around a facet lie nearly in its plane.
@@ -33,9 +37,26 @@ bool TouchFinder::flat_around(Index facet) const
     return true;
 }
 
+/// Whether a touch goes on at the same depth when its node is followed in the facet's plane. Where it turns
+/// around an edge or a corner, and the plane is closer than that, the node would be pressed without having
+/// moved: with foils even a thousandth of the thickness is more than a step brings.
+bool TouchFinder::goes_on_in_plane(const Touch& touch) const
+{
+    const auto& facet = mesh_.facets[touch.facet];
+    const auto& p = motion_.position;
+    const SegmentCorners<double> corners{p[facet.corner[0]], p[facet.corner[1]], p[facet.corner[2]],
+                                         p[facet.corner[3]]};
+    const auto foot = foot_near(p[touch.node], corners, touch.s, touch.t);
+    const Vec3 normal = segment_normal(corners, foot.s, foot.t);
+    const double side = dot(facet_normal(touch.facet), touch.normal) < 0 ? -1 : 1;
+    const double gap = mesh_.half_thickness[touch.node] + facet.half_thickness;
+    return std::abs(gap - side * dot(foot.offset, normal) - touch.penetration) <= same_depth * facet.size;
+}
+
 /// Path that the node may go without leaving the facet, its plane, or the free side of its sheet by much.
 double TouchFinder::room_of(const Touch& touch, int feature) const
 {
+    if (feature != 0 && !goes_on_in_plane(touch)) return 0;
     const auto& facet = mesh_.facets[touch.facet];
     const bool rim = std::any_of(facet.corner.begin(), facet.corner.end(),
                                  [&](Index corner) { return mesh_.on_rim[corner] != 0; });

@@ -103,17 +103,6 @@ void TouchTable::put(std::size_t owner, std::span<const Touch> touches)
     }
 }
 
-void TouchTable::remove(std::size_t owner, unsigned which)
-{
-    int kept = 0;
-    for (int layer = 0; layer < count_[owner]; ++layer) {
-        if (which >> layer & 1) continue;
-        if (kept < layer) copy(*this, owner, layer, owner, kept);
-        ++kept;
-    }
-    count_[owner] = static_cast<std::uint8_t>(kept);
-}
-
 TouchList TouchTable::list(const ContactMesh& mesh, const ContactMotion& motion) const
 {
     TouchList list;

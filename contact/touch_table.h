@@ -102,8 +102,6 @@ public:
     Touch touch(const ContactMesh& mesh, const ContactMotion& motion, std::size_t owner, int layer) const;
     /// Puts all touches of an owner, at most as many as there are layers.
     void put(std::size_t owner, std::span<const Touch> touches);
-    /// Takes out those touches of an owner whose bit is set.
-    void remove(std::size_t owner, unsigned which);
     TouchList list(const ContactMesh& mesh, const ContactMotion& motion) const;
 
     void serialise(Archive& archive)

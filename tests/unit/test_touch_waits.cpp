@@ -1,3 +1,4 @@
+#include "contact/surface_contact.h"
 #include "contact/touch.h"
 #include "tests/support/contact_model.h"
 
@@ -401,6 +402,88 @@ TEST(TouchWaits, NoTouchIsMissed)
         EXPECT_GT(touches, 2000u) << solids;
         EXPECT_GT(waiting, 0.8 * pairs) << solids;
     }
+}
+
+/// Beside the rim of a foil a touch turns around the edge: at an angle of 2.4 degrees off the normal the
+/// plane is closer by 9e-4 of the distance. Nothing moves, and no touch gets deeper by that it is followed.
+TEST(QuietNodes, AreNotPressedByBeingFollowed)
+{
+    const double distance = 0.012, gap = 0.015;
+    for (const double degrees : {0.0, 0.5, 1.5, 2.4}) {
+        Moved set;
+        const Index sheet = set.built.add_part(1, 210, 0.01), other = set.built.add_part(1, 210, 0.02);
+        set.built.add_sheet(sheet, 4, 4, [](double u, double v) { return Vec3{4 * u - 4, 4 * v - 2.4, 0}; });
+        const double angle = degrees * std::numbers::pi / 180;
+        Index probe = set.built.add_node({distance * std::sin(angle), 0, distance * std::cos(angle)});
+        set.built.add_shell(other, {probe, set.built.add_node({0, 0, 50}), set.built.add_node({0, 1, 50}),
+                                    set.built.add_node({1, 0, 50})});
+        set.finish();
+        set.motion.follow(1);
+        PairSearch search(set.mesh, set.built.model.solids.nodes);
+        TouchTable table;
+        TouchFinder::Room room;
+        for (int cycle = 0; cycle < 4; ++cycle) {
+            search.update(set.mesh, set.motion);
+            if (cycle == 0) table.set_owners(search.pairs().owner);
+            TouchFinder(set.mesh, set.motion, false).find(search.pairs(), 0, table.owners(), table, room);
+            std::size_t found = 0;
+            for (const Touch& touch : table.list(set.mesh, set.motion).all) {
+                if (touch.node != set.number[probe]) continue;
+                ++found;
+                EXPECT_NEAR(touch.penetration, gap - distance, 1e-9) << degrees << ", cycle " << cycle;
+            }
+            EXPECT_EQ(found, 1u) << degrees << ", cycle " << cycle;
+        }
+    }
+}
+
+/// A node rests on a sheet, and half as deep in another right behind it, which the first holds off. Where the
+/// first gives way within one step, the second takes the node over in that cycle, with all that presses.
+TEST(QuietNodes, AreTakenOverByWhatTheirTouchHeldOff)
+{
+    ContactModel mesh;
+    const Index upper = mesh.add_part(1, 210, 0.1), lower = mesh.add_part(1, 210, 0.1),
+                other = mesh.add_part(1, 210, 0.1);
+    const double behind = 5e-4;
+    mesh.add_sheet(upper, 4, 4, [](double u, double v) { return Vec3{4 * u - 2.4, 4 * v - 2.4, 0}; });
+    const auto first_lower = static_cast<std::size_t>(mesh.add_sheet(lower, 4, 4, [&](double u, double v) {
+        return Vec3{4 * u - 2.4, 4 * v - 2.4, -behind};
+    }));
+    const Index probe = mesh.add_node({0, 0, 0.1 + 5e-4});
+    mesh.add_shell(other,
+                   {probe, mesh.add_node({0, 0, 50}), mesh.add_node({0, 1, 50}), mesh.add_node({1, 0, 50})});
+    Contact contact;
+    contact.kind = Contact::Kind::two_way;
+    contact.slave.kind = contact.master.kind = ContactSide::Kind::parts;
+    contact.slave.parts = {other};
+    contact.master.parts = {upper, lower};
+    contact.limit_thickness = false;
+    mesh.model.contacts.push_back(contact);
+    State state = mesh.state();
+    Clock clock;
+    clock.step = clock.last_step = 0.01;
+    SurfaceContact term(mesh.model.contacts[0], mesh.model, part_data(mesh.model));
+    const auto cycle = [&](double probe_falls, double upper_falls) {
+        for (std::size_t i = 0; i < first_lower; ++i) state.velocity[i].z = -upper_falls / clock.step;
+        state.velocity[probe].z = -probe_falls / clock.step;
+        for (std::size_t i = 0; i < state.size(); ++i) state.position[i] += clock.step * state.velocity[i];
+        state.clear_forces();
+        term.add_forces(clock, state);
+        clock.time += clock.step;
+        return term.touches().all;
+    };
+    EXPECT_EQ(cycle(0, 0).size(), 0u);
+    for (int rest = 0; rest < 3; ++rest) {
+        const std::vector<Touch> on_upper = cycle(rest == 0 ? 1.5e-3 : 0, 0);
+        ASSERT_EQ(on_upper.size(), 1u);
+        EXPECT_EQ(term.mesh().facets[on_upper[0].facet].part, upper);
+        EXPECT_NEAR(on_upper[0].active_penetration(), 1e-3, 1e-12);
+    }
+    const std::vector<Touch> on_lower = cycle(0, 2e-3);
+    ASSERT_EQ(on_lower.size(), 1u);
+    EXPECT_EQ(term.mesh().facets[on_lower[0].facet].part, lower);
+    EXPECT_NEAR(on_lower[0].active_penetration(), 1e-3 - behind, 1e-12);
+    EXPECT_GT(state.force[probe].z, 0);
 }
 
 } // namespace plash
