@@ -1,7 +1,7 @@
 #include "sph/particle_bodies.h"
 
 #include "materials/parameters.h"
-#include "sph/cells.h"
+#include "sph/near_distances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -267,39 +267,10 @@ double initial_smoothing(const Model& model, Index part, const std::vector<Vec3>
 
 double particle_spacing(const std::vector<Vec3>& positions)
 {
-    if (positions.size() < 2) return 0;
-    Vec3 lower = positions.front(), upper = lower;
-    for (const Vec3& p : positions) {
-        lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
-        upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
-    }
-    // Nearest distances below the cell's side are right; the others are looked for in wider cells.
-    double side = norm(upper - lower) / std::cbrt(static_cast<double>(positions.size()));
     double largest = 0;
-    std::vector<Vec3> all = positions;
-    std::vector<char> open(all.size(), 1);
-    for (bool any = side > 0; any; side *= 2) {
-        any = false;
-        ParticleCells cells;
-        cells.sort(all, side);
-        for (Index cell = 0; cell < cells.cell_count(); ++cell) {
-            std::array<Index, 27> around;
-            const int count = cells.around(cell, around);
-            for (Index place = cells.begin(cell); place < cells.end(cell); ++place) {
-                const Index p = cells.order()[place];
-                if (!open[p]) continue;
-                double nearest = side * side;
-                for (int k = 0; k < count; ++k)
-                    for (Index other = cells.begin(around[k]); other < cells.end(around[k]); ++other) {
-                        const Vec3 apart = all[cells.order()[other]] - all[p];
-                        if (other != place) nearest = std::min(nearest, dot(apart, apart));
-                    }
-                open[p] = nearest >= side * side;
-                any = any || open[p];
-                if (!open[p]) largest = std::max(largest, std::sqrt(nearest));
-            }
-        }
-    }
+    visit_near(positions, std::vector<char>(positions.size(), 1), 1, [&](std::vector<double>& squares) {
+        largest = std::max(largest, std::sqrt(*std::min_element(squares.begin(), squares.end())));
+    });
     return largest;
 }
 

@@ -1,7 +1,7 @@
 #include "sph/particle_checks.h"
 
 #include "model/eulerian.h"
-#include "sph/cells.h"
+#include "sph/near_distances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,48 +23,14 @@ struct NeighbourDistances {
 std::vector<NeighbourDistances> sample_distances(const std::vector<Vec3>& positions, std::size_t count)
 {
     std::vector<NeighbourDistances> found;
-    if (positions.size() <= count) return found;
-    Vec3 lower = positions.front(), upper = lower;
-    for (const Vec3& p : positions) {
-        lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
-        upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
-    }
-    const double extent = norm(upper - lower);
-    if (!(extent > 0)) return found;
     const std::size_t stride = (positions.size() + largest_sample - 1) / largest_sample;
-    std::vector<char> open(positions.size());
-    for (std::size_t p = 0; p < positions.size(); p += stride) open[p] = 1;
-    std::vector<double> squares;
-    // Distances below the cell's side are right; the others are looked for in wider cells.
-    double side = extent / std::cbrt(static_cast<double>(positions.size()));
-    for (bool any = true; any; side *= 2) {
-        any = false;
-        ParticleCells cells;
-        cells.sort(positions, side);
-        for (Index cell = 0; cell < cells.cell_count(); ++cell) {
-            std::array<Index, 27> around;
-            const int cell_count = cells.around(cell, around);
-            for (Index place = cells.begin(cell); place < cells.end(cell); ++place) {
-                const Index p = cells.order()[place];
-                if (!open[p]) continue;
-                squares.clear();
-                for (int k = 0; k < cell_count; ++k)
-                    for (Index other = cells.begin(around[k]); other < cells.end(around[k]); ++other) {
-                        const Vec3 apart = positions[cells.order()[other]] - positions[p];
-                        if (other != place && dot(apart, apart) <= side * side)
-                            squares.push_back(dot(apart, apart));
-                    }
-                open[p] = squares.size() < count;
-                any = any || open[p];
-                if (open[p]) continue;
-                std::nth_element(squares.begin(), squares.begin() + static_cast<std::ptrdiff_t>(count) - 1,
-                                 squares.end());
-                const double farthest = squares[count - 1];
-                found.push_back(
-                    {std::sqrt(*std::min_element(squares.begin(), squares.end())), std::sqrt(farthest)});
-            }
-        }
-    }
+    std::vector<char> asked(positions.size());
+    for (std::size_t p = 0; p < positions.size(); p += stride) asked[p] = 1;
+    visit_near(positions, std::move(asked), count, [&](std::vector<double>& squares) {
+        const auto farthest = squares.begin() + static_cast<std::ptrdiff_t>(count) - 1;
+        std::nth_element(squares.begin(), farthest, squares.end());
+        found.push_back({std::sqrt(*std::min_element(squares.begin(), farthest + 1)), std::sqrt(*farthest)});
+    });
     return found;
 }
 

@@ -136,19 +136,6 @@ Filling fill(const Model& model, const Water& water, const FluidParts& fluids, c
     return filling;
 }
 
-template <class List>
-Id free_id(const List& list)
-{
-    Id largest = 0;
-    for (const auto& entry : list) largest = std::max(largest, entry.id);
-    return largest + 1;
-}
-
-Id free_number(const std::vector<Id>& ids)
-{
-    return ids.empty() ? 1 : *std::max_element(ids.begin(), ids.end()) + 1;
-}
-
 Index add_eulerian_section(Model& model)
 {
     Record section = made_record("SECTION_SOLID", {}, {{"ELFORM", 11}});
@@ -241,7 +228,7 @@ NewWater make_mesh_water(Model& model, const Water& water, const std::vector<Wat
     result.mesh_parts = water.parts;
     result.mesh_parts.push_back(void_part);
     const Index first = static_cast<Index>(model.nodes.size());
-    Id node_id = free_number(model.nodes.id);
+    Id node_id = free_id(model.nodes.id);
     for (double z : planes[2])
         for (double y : planes[1])
             for (double x : planes[0]) {
@@ -250,7 +237,7 @@ NewWater make_mesh_water(Model& model, const Water& water, const std::vector<Wat
             }
     const Index row = static_cast<Index>(planes[0].size()),
                 sheet = row * static_cast<Index>(planes[1].size());
-    Id element_id = free_number(model.solids.id);
+    Id element_id = free_id(model.solids.id);
     double filled = 0;
     for (std::size_t k = 0; k < cells.count[2]; ++k) {
         for (std::size_t j = 0; j < cells.count[1]; ++j) {

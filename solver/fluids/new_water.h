@@ -2,7 +2,9 @@
 
 #include "solver/fluids/mesh_planes.h"
 
+#include <algorithm>
 #include <map>
+#include <type_traits>
 #include <utility>
 
 namespace plash {
@@ -14,6 +16,20 @@ struct NewWater {
     double spacing = 0;                        ///< of new particles [length]
     std::vector<std::string> lines;            ///< for the user
 };
+
+/// A number that no definition of a list has, nor any of these nodes or elements.
+template <class List>
+Id free_id(const List& list)
+{
+    Id largest = 0;
+    for (const auto& entry : list) {
+        if constexpr (std::is_same_v<typename List::value_type, Id>)
+            largest = std::max(largest, entry);
+        else
+            largest = std::max(largest, entry.id);
+    }
+    return largest + 1;
+}
 
 /// A definition that the translation writes into the Model.
 Record made_record(std::string_view keyword, Location where,

@@ -57,11 +57,10 @@ void rest_in_mesh(Model& model, const Water& water, const std::vector<DepthStres
                                             {"KFACT", stress.lateral}}));
     if (first.slope == 0) return;
     NamedVector down;
-    for (const NamedVector& vector : model.vectors) down.id = std::max(down.id, vector.id);
-    ++down.id;
+    down.id = free_id(model.vectors);
     down.head.z = first.slope > 0 ? -1 : 1;
     model.vectors.push_back(down);
-    const Id surface = *std::max_element(model.nodes.id.begin(), model.nodes.id.end()) + 1;
+    const Id surface = free_id(model.nodes.id);
     model.nodes.id.push_back(surface);
     model.nodes.position.push_back({water.low.x, water.low.y, first.datum});
     Record record = made_record("INITIAL_HYDROSTATIC_ALE", first.where,

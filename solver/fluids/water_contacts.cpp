@@ -107,25 +107,10 @@ std::string side_name(const Model& model, const ContactSide& side)
     return text + (side.parts.size() > 5 ? " ..." : "");
 }
 
-Id next_contact(const Model& model)
-{
-    Id id = 1;
-    for (const Contact& contact : model.contacts) id = std::max(id, contact.id + 1);
-    return id;
-}
-
-template <class Set>
-Id next_set(const std::vector<Set>& sets)
-{
-    Id id = 1;
-    for (const Set& set : sets) id = std::max(id, set.id + 1);
-    return id;
-}
-
 Id add_part_set(Model& model, const std::vector<Index>& parts)
 {
     PartSet set;
-    set.id = next_set(model.part_sets);
+    set.id = free_id(model.part_sets);
     set.parts = parts;
     model.part_sets.push_back(std::move(set));
     return model.part_sets.back().id;
@@ -134,7 +119,7 @@ Id add_part_set(Model& model, const std::vector<Index>& parts)
 Id add_segment_set(Model& model, std::vector<std::array<Index, 4>> segments)
 {
     SegmentSet set;
-    set.id = next_set(model.segment_sets);
+    set.id = free_id(model.segment_sets);
     set.segments = std::move(segments);
     model.segment_sets.push_back(std::move(set));
     return model.segment_sets.back().id;
@@ -325,10 +310,10 @@ void WaterContacts::add_contact(Model& model, const Meeting& meeting, FluidForm 
     Contact contact;
     if (meeting.from_contact) contact = model.contacts[meeting.contact];
     const bool particles = form == FluidForm::sph;
-    contact.id = meeting.id != 0 ? meeting.id : next_contact(model);
+    contact.id = meeting.id != 0 ? meeting.id : free_id(model.contacts);
     if (!meeting.from_contact || !meeting.replaced)
         for (const Contact& other : model.contacts)
-            if (other.id == contact.id) contact.id = next_contact(model);
+            if (other.id == contact.id) contact.id = free_id(model.contacts);
     contact.title = meeting.title;
     contact.where = meeting.where;
     contact.keyword = "CONTACT_AUTOMATIC_NODES_TO_SURFACE";

@@ -1,43 +1,32 @@
 #pragma once
 
 #include "parser/read_model.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <unistd.h>
 
 namespace plash {
 
 /// A folder of its own for the files of one test, gone at its end.
 class DeckFolder {
 public:
-    DeckFolder()
-        : path_(std::filesystem::temp_directory_path() /
-                (std::string("plash_parser_") +
-                 ::testing::UnitTest::GetInstance()->current_test_info()->test_suite_name() + "_" +
-                 ::testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
-                 std::to_string(::getpid())))
-    {
-        std::filesystem::create_directories(path_);
-    }
-    ~DeckFolder() { std::filesystem::remove_all(path_); }
-
     /// Writes a file, with folders in its name as needed; returns its path.
     std::string write(const std::string& name, const std::string& text) const
     {
-        const std::filesystem::path file = path_ / name;
+        const std::filesystem::path file = folder_.path() / name;
         std::filesystem::create_directories(file.parent_path());
         std::ofstream(file, std::ios::binary) << text;
         return file.string();
     }
 
-    std::string path(const std::string& name = "") const { return (path_ / name).string(); }
+    std::string path(const std::string& name = "") const { return folder_ / name; }
 
 private:
-    std::filesystem::path path_;
+    testing::TemporaryFolder folder_;
 };
 
 /// Reads a deck given as text.
