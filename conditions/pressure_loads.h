@@ -1,5 +1,6 @@
 #pragma once
 
+#include "conditions/loaded_elements.h"
 #include "conditions/segment_forces.h"
 #include "core/term.h"
 #include "model/model.h"
@@ -23,14 +24,12 @@ public:
 private:
     const Model& model_;
     std::vector<SegmentNodes> segments_;
-    std::vector<Index> load_;          ///< of the Model, by segment
-    std::vector<Index> shell_, solid_; ///< element under each segment, none: another, or nobody
+    std::vector<Index> load_; ///< of the Model, by segment
+    LoadedElements elements_;
     CornerSum sum_;
     std::vector<std::array<Vec3, 4>> last_; ///< corner forces at n-1 [force]
     double work_ = 0;                       ///< [energy]
 
-    void find_elements();
-    bool deleted(std::size_t segment, const State& state) const;
     double pressure_of(const PressureLoad& load, const Clock& clock) const;
 };
 

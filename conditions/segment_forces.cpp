@@ -48,14 +48,29 @@ CornerSum::CornerSum(std::span<const SegmentNodes> segments) : force(segments.si
     begin_.push_back(static_cast<Index>(corner_.size()));
 }
 
+Vec3 CornerSum::sum_at(std::size_t place) const
+{
+    Vec3 sum{};
+    for (Index k = begin_[place]; k < begin_[place + 1]; ++k) sum += force[corner_[k] / 4][corner_[k] % 4];
+    return sum;
+}
+
 void CornerSum::add_to(std::vector<Vec3>& nodal_force) const
 {
     for_chunks(node_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) nodal_force[node_[i]] += sum_at(i);
+    });
+}
+
+double CornerSum::square_over_mass(const std::vector<double>& mass) const
+{
+    return sum_chunks(node_.size(), [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
         for (std::size_t i = begin; i < end; ++i) {
-            Vec3 sum{};
-            for (Index k = begin_[i]; k < begin_[i + 1]; ++k) sum += force[corner_[k] / 4][corner_[k] % 4];
-            nodal_force[node_[i]] += sum;
+            const Vec3 force_here = sum_at(i);
+            if (mass[node_[i]] > 0) sum += dot(force_here, force_here) / mass[node_[i]];
         }
+        return sum;
     });
 }
 

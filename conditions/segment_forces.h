@@ -33,10 +33,15 @@ public:
 
     void add_to(std::vector<Vec3>& nodal_force) const;
 
+    /// The sum of (force on a node)^2 / mass over the nodes that have mass.
+    double square_over_mass(const std::vector<double>& mass) const;
+
 private:
     std::vector<Index> node_;   ///< nodes that have corners
     std::vector<Index> begin_;  ///< their corners: corner_[begin_[i]] .. corner_[begin_[i + 1]]
     std::vector<Index> corner_; ///< 4 x segment + corner
+
+    Vec3 sum_at(std::size_t place) const;
 };
 
 } // namespace plash

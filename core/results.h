@@ -259,6 +259,19 @@ struct ElementResults {
     std::vector<Vec3> material_velocity;
     std::vector<Vec3> angular_acceleration; ///< [1/time^2], only with rotations
 
+    /// The content of an airbag at n (*AIRBAG family).
+    struct AirbagState {
+        Id airbag = 0;
+        double volume = 0;
+        double pressure = 0;             ///< gauge [pressure]
+        double internal_energy = 0;      ///< [energy]
+        double inflow = 0, outflow = 0;  ///< [mass/time]
+        double mass = 0;
+        double temperature = 0;
+        double area = 0; ///< of the surface
+    };
+    std::vector<AirbagState> airbags; ///< appended by the airbags' term, in deck order
+
     /// An exposed segment of a contact with what acts on it.
     struct ContactFace {
         Id contact = 0;

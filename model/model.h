@@ -1,6 +1,7 @@
 #pragma once
 
 #include "math/curve.h"
+#include "model/airbags.h"
 #include "model/conditions.h"
 #include "model/contact.h"
 #include "model/controls.h"
@@ -97,6 +98,7 @@ struct Model {
     std::vector<NodalLoad> nodal_loads;
     std::vector<BodyLoad> body_loads;
     std::vector<PressureLoad> pressure_loads;
+    std::vector<Airbag> airbags;
     std::vector<NodeDamping> dampings;
     std::vector<StiffnessDamping> stiffness_dampings;
     std::vector<NonReflectingBoundary> non_reflecting_boundaries;

@@ -1,5 +1,6 @@
 #include "output/binout.h"
 
+#include "output/abstat.h"
 #include "output/binout_arrays.h"
 #include "output/binout_bodies.h"
 #include "output/binout_discrete.h"
@@ -462,6 +463,7 @@ std::unique_ptr<BinoutSection> make_binout_section(const std::string& file_name,
     if (file_name == "sleout") return std::make_unique<SleoutSection>(model);
     if (file_name == "spcforc") return std::make_unique<SpcforcSection>(model);
     if (file_name == "secforc") return std::make_unique<SecforcSection>(model);
+    if (file_name == "abstat") return make_abstat_section(model);
     if (file_name == "bndout") return std::make_unique<BndoutSection>();
     if (auto section = make_body_section(file_name, model)) return section;
     return make_discrete_section(file_name, model);

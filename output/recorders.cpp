@@ -1,6 +1,7 @@
 #include "output/recorders.h"
 
 #include "model/tracers.h"
+#include "output/abstat.h"
 #include "output/ale_files.h"
 #include "output/beam_files.h"
 #include "output/binout.h"
@@ -108,6 +109,11 @@ bool has_tracers(const Model& model)
     return tracer_count(model) > 0;
 }
 
+bool has_airbags(const Model& model)
+{
+    return !model.airbags.empty();
+}
+
 bool has_springs(const Model& model)
 {
     return !shown_springs(model).empty();
@@ -150,6 +156,7 @@ const std::vector<AsciiFile>& ascii_files()
         {"spcforc", has_supports, make<SpcforcRecorder>},
         {"sphout", has_history_particles, make<SphoutRecorder>},
         {"trhist", has_tracers, make<TrhistRecorder>},
+        {"abstat", has_airbags, make<AbstatRecorder>},
         {"bndout", has_loads, make<BndoutRecorder>},
         {"rbdout", has_rigid_bodies, make<RbdoutRecorder>},
         {"jntforc", has_joints, make<JntforcRecorder>},

@@ -12,6 +12,7 @@ constexpr std::span<const Translator> (*families[])() = {
     load_keywords,     initial_keywords, damping_keywords,  termination_keywords, rigid_wall_keywords,
     contact_keywords,  control_keywords, database_keywords, constrained_keywords, ale_keywords,
     adaptive_keywords,
+    airbag_keywords,
 };
 
 bool matches(std::string_view pattern, std::string_view keyword)

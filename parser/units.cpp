@@ -30,6 +30,8 @@ constexpr Dimension damping{1, 0, -1};
 constexpr Dimension rotary_damping{1, 2, -1};
 constexpr Dimension slowness{0, -1, 1}; // one over a velocity
 constexpr Dimension temperature{0, 0, 0, 1};
+constexpr Dimension heat_capacity{0, 2, -2, -1};
+constexpr Dimension mass_rate{1, 0, -1};
 
 /// Fields of keywords with one dimension. A `*` at the end of a keyword stands for any ending, a `#` at the
 /// end of a field for a number. The first row that fits counts, so that exceptions stand above their family.
@@ -317,6 +319,12 @@ constexpr Row rows[] = {
     {"LOAD_SEGMENT*", "SF", number},
     {"LOAD_SEGMENT*", "AT DT", duration},
     {"LOAD_SHELL*", "SF", number},
+    {"AIRBAG_*", "VSCA PSCA PSF GAMMA BETA MU C23 CP23", number},
+    {"AIRBAG_*", "CN PO PE BULK P_LIMIT POVER PPOP", stress},
+    {"AIRBAG_*", "RO", density},
+    {"AIRBAG_*", "AREA A23 AP23", area},
+    {"AIRBAG_*", "CV CP", heat_capacity},
+    {"AIRBAG_*", "T", temperature},
     {"LOAD_SHELL*", "AT", duration},
     {"CONTACT_*",
      "FS FD VDC SFSA SFSB SFSAT SFSBT FSF VSF SOFSCL MAXPAR PENMAX DPRFAC EDGEK FLANGL DTPCHK FRICSF",
@@ -418,6 +426,21 @@ constexpr CurveRow curve_rows[] = {
     {"LOAD_NODE*", "LCID", {duration, force, number}},
     {"LOAD_SEGMENT*", "LCID", {duration, stress, number}},
     {"LOAD_SHELL*", "LCID", {duration, stress, number}},
+    {"AIRBAG_SIMPLE_PRESSURE_VOLUME", "LCID", {number, stress, number}},
+    {"AIRBAG_SIMPLE_PRESSURE_VOLUME", "LCIDDR CN", {duration, stress, number}},
+    {"AIRBAG_SIMPLE_AIRBAG_MODEL", "LCID", {duration, mass_rate, number}},
+    {"AIRBAG_SIMPLE_AIRBAG_MODEL", "MU", {stress, number, number}},
+    {"AIRBAG_SIMPLE_AIRBAG_MODEL", "AREA", {stress, area, number}},
+    {"AIRBAG_SIMPLE_AIRBAG_MODEL", "LOU", {stress, mass_rate, number}},
+    {"AIRBAG_WANG_NEFSKE", "LCT", {duration, temperature, number}},
+    {"AIRBAG_WANG_NEFSKE", "LCMT", {duration, mass_rate, number}},
+    {"AIRBAG_WANG_NEFSKE", "LCC23 LCCP23", {duration, number, number}},
+    {"AIRBAG_WANG_NEFSKE", "LCA23 LCAP23", {stress, area, number}},
+    {"AIRBAG_WANG_NEFSKE", "LCEFR", {stress, mass_rate, number}},
+    {"AIRBAG_LINEAR_FLUID", "LCINT LCOUTT", {duration, mass_rate, number}},
+    {"AIRBAG_LINEAR_FLUID", "LCOUTP", {stress, mass_rate, number}},
+    {"AIRBAG_LINEAR_FLUID", "LCFIT LCBULK P_LIMLC", {duration, stress, number}},
+    {"AIRBAG_LINEAR_FLUID", "LCID", {number, stress, number}},
     {"DAMPING_GLOBAL", "LCID", {duration, rate, number}},
     {"DAMPING_PART_MASS*", "LCID", {duration, rate, number}},
     {"CONTROL_TIMESTEP", "LCTM", {duration, duration, number}},

@@ -372,6 +372,7 @@ constexpr Translator database_table[] = {
     {"DATABASE_SLEOUT", Phase::conditions, read_ascii},
     {"DATABASE_NCFORC", Phase::conditions, read_ascii},
     {"DATABASE_SPHOUT", Phase::conditions, read_ascii},
+    {"DATABASE_ABSTAT", Phase::conditions, read_ascii},
     {"DATABASE_TRHIST", Phase::conditions, read_ascii},
     {"DATABASE_BINARY_D3PLOT", Phase::conditions, read_d3plot},
     {"DATABASE_BINARY_D3THDT", Phase::conditions, read_d3thdt},

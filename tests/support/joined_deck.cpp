@@ -42,6 +42,8 @@ constexpr const char* joined_controls = R"(*CONTROL_TERMINATION
 0.01,3
 *DATABASE_NODFOR
 0.01,3
+*DATABASE_ABSTAT
+0.01,3
 *DEFINE_CURVE
 5
 0.0,0.01
@@ -207,6 +209,14 @@ std::string joined_deck()
                              "*SET_NODE_LIST\n6\n{},{},{},{}\n*DEFINE_CURVE\n4\n0.0,0.0\n0.4,-1.9\n0.6,-1.0\n"
                              "*BOUNDARY_PRESCRIBED_MOTION_SET\n6,3,2,4\n",
                              soft, soft + 1, soft + 2, soft + 3, soft + 4, soft + 5, soft + 6, soft + 7);
+    // Gas inside of it that flows in and out.
+    deck.text += "*SET_SEGMENT\n1\n";
+    for (const auto& face : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+                             std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}})
+        deck.text +=
+            fmt::format("{},{},{},{}\n", soft + face[0], soft + face[1], soft + face[2], soft + face[3]);
+    deck.text += "*AIRBAG_WANG_NEFSKE_ID\n7,bag\n1,0\n0.7,1.0,300.0,0,5\n0.8,,0.05\n"
+                 "1.0e-4,1.2e-6,,,,1.0e-5,0\n,\n";
     deck.text += fmt::format("*DATABASE_HISTORY_NODE\n{},{},{}\n*DATABASE_HISTORY_BEAM\n1,2,13\n*END\n", low,
                              over(12), hung);
     return deck.text;
