@@ -66,7 +66,7 @@ void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, Touc
         std::vector<Touch>& before = room.before;
         before.clear();
         for (int layer = 0; layer < table.count(owner); ++layer)
-            before.push_back(table.touch(mesh_, motion_, owner, layer));
+            before.push_back(touch_before(table, owner, layer));
         std::size_t next = i;
         while (next < near.size() && near[next].node == pairs.owner[owner]) ++next;
         touches.clear();
@@ -82,6 +82,15 @@ void TouchFinder::find(PairList& pairs, std::size_t begin, std::size_t end, Touc
         }
         i = next;
     }
+}
+
+/// A touch with the penetration that it had a step ago: that of a followed one is known as it is now.
+Touch TouchFinder::touch_before(const TouchTable& table, std::size_t owner, int layer) const
+{
+    Touch touch = table.touch(mesh_, motion_, owner, layer);
+    if (table.followed(owner))
+        touch.penetration -= approach(touch.node, touch.facet, touch.s, touch.t, touch.normal);
+    return touch;
 }
 
 /// Pairs are put off by what their node touches (wait_for_sheet(), wait_for_solid()): those that may reach
@@ -285,21 +294,38 @@ double TouchFinder::side_of_new(const Near& near, double distance) const
     return dot(old.offset, segment_normal(corners, old.s, old.t)) < 0 ? -1 : 1;
 }
 
-/// Speed at which the node approaches the facet's point.
-double TouchFinder::closing_speed(const Near& near, const Vec3& normal) const
+/// What a node has come closer to a facet's point along the normal in the last step, to first order.
+double TouchFinder::approach(Index node, Index number, double s, double t, const Vec3& normal) const
 {
-    const Facet& facet = mesh_.facets[near.facet];
-    const auto share = corner_shares(near.s, near.t, facet.triangle());
-    Vec3 velocity = -motion_.velocity[near.node];
+    const Facet& facet = mesh_.facets[number];
+    const auto share = corner_shares(s, t, facet.triangle());
+    Vec3 velocity = -motion_.velocity[node];
     for (int i = 0; i < 4; ++i) velocity += share[i] * motion_.velocity[facet.corner[i]];
-    return dot(velocity, normal);
+    return motion_.last_step * dot(velocity, normal);
+}
+
+/// Bound of what approach() leaves out: the facet turns while the node slides over it.
+double TouchFinder::turned_under(Index node, Index number, double s, double t, const Vec3& normal) const
+{
+    const Facet& facet = mesh_.facets[number];
+    const auto share = corner_shares(s, t, facet.triangle());
+    Vec3 foot{};
+    for (int i = 0; i < 4; ++i) foot += share[i] * motion_.velocity[facet.corner[i]];
+    double turn2 = 0;
+    for (const Index corner : facet.corner) {
+        const Vec3 past = motion_.velocity[corner] - foot;
+        turn2 = std::max(turn2, dot(past, past));
+    }
+    const Vec3 past = motion_.velocity[node] - foot;
+    const double slide = norm(past - dot(past, normal) * normal);
+    return 2 * motion_.last_step * motion_.last_step * std::sqrt(turn2) * slide / facet.size;
 }
 
 /// Whether a node inside a solid was outside a step ago (or is there in the first cycle).
 bool TouchFinder::comes_from_outside(const Near& near, const Vec3& normal, double distance) const
 {
     if (motion_.last_step == 0) return true;
-    const double before = distance + motion_.last_step * closing_speed(near, normal);
+    const double before = distance + approach(near.node, near.facet, near.s, near.t, normal);
     return before >= -entry * mesh_.facets[near.facet].depth;
 }
 
@@ -416,7 +442,7 @@ bool TouchFinder::touch_of(const Near& near, std::span<const Touch> before, Touc
 }
 
 /// What a touch takes over from the one that it goes on with, or begins with.
-void TouchFinder::inherit(const Near& near, std::span<const Touch> before, Touch& touch) const
+void TouchFinder::inherit(std::span<const Touch> before, Touch& touch) const
 {
     const Touch* nearest = nullptr;
     double best = 0.5;
@@ -426,22 +452,33 @@ void TouchFinder::inherit(const Near& near, std::span<const Touch> before, Touch
         best = along;
         nearest = &old;
     }
-    if (nearest) {
-        // On one surface a touch gets deeper by what the nodes move. What is more is another surface, which
-        // was held off by this touch so far: the node was that deep in it before.
-        const double explained = std::max(0.0, nearest->active_penetration()) + 2 * motion_.step_range;
-        touch.baseline =
-            std::max(std::min(nearest->baseline, touch.penetration), touch.penetration - explained);
-        touch.rounding = nearest->rounding;
-        touch.weight = nearest->weight;
-        touch.friction = nearest->friction;
-        if (nearest->facet == touch.facet) touch.stiffness = nearest->stiffness;
+    if (!nearest) {
+        // What the approach of the last step does not explain was there before: it is kept as a baseline.
+        const double closer =
+            std::max(0.0, approach(touch.node, touch.facet, touch.s, touch.t, touch.normal));
+        touch.baseline = std::max(0.0, touch.penetration - 1.5 * closer);
+        touch.rounding = closer;
         return;
     }
-    // What the approach of the last step does not explain was there before: it is kept as a baseline.
-    const double approach = std::max(0.0, closing_speed(near, touch.normal)) * motion_.last_step;
-    touch.baseline = std::max(0.0, touch.penetration - 1.5 * approach);
-    touch.rounding = approach;
+    touch.baseline = std::min(nearest->baseline, touch.penetration);
+    touch.rounding = nearest->rounding;
+    touch.weight = nearest->weight;
+    touch.friction = nearest->friction;
+    if (nearest->facet == touch.facet) {
+        touch.stiffness = nearest->stiffness;
+        return;
+    }
+    // On one surface a touch gets deeper by what the node and the facets have moved towards one another:
+    // outside it by no more than towards the new facet, which was not the closest before, and inside by no
+    // more than towards the old one, which is not now. What is more is another surface, which was held off by
+    // this touch so far: the node was that deep in it before.
+    const auto closer_to = [&](const Touch& one) {
+        return std::max(0.0, approach(one.node, one.facet, one.s, one.t, one.normal)) +
+               turned_under(one.node, one.facet, one.s, one.t, one.normal);
+    };
+    const double explained =
+        std::max(0.0, nearest->active_penetration()) + std::max(closer_to(touch), closer_to(*nearest));
+    touch.baseline = std::max(touch.baseline, touch.penetration - explained);
 }
 
 /// Takes the closest facets first, and others only where they hold the node from clearly another direction.
@@ -467,7 +504,7 @@ void TouchFinder::resolve(std::span<const Near> near, std::span<const Touch> bef
         if (distance > 0 && beside(one.offset, distance)) continue;
         Touch touch;
         if (!touch_of(one, before, touch) || beside(touch.normal, 1)) continue;
-        inherit(one, before, touch);
+        inherit(before, touch);
         touches.push_back(touch);
     }
 }

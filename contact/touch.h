@@ -74,6 +74,7 @@ private:
     bool goes_on_in_plane(const Touch& touch) const;
     double room_of(const Touch& touch, int feature) const;
     bool flat_around(Index facet) const;
+    Touch touch_before(const TouchTable& table, std::size_t owner, int layer) const;
     bool call_again(PairList& pairs, std::size_t owner, std::span<const Touch> before,
                     std::span<const Touch> touches) const;
     double wait_for_sheet(const Near& near, double gap, const TouchTable& table, std::size_t owner) const;
@@ -92,11 +93,12 @@ private:
     bool touch_of(const Near& near, std::span<const Touch> before, Touch& touch) const;
     bool touch_on_rim(const Near& near, std::span<const Touch> before, Vec3& normal, double& distance,
                       bool& known) const;
-    void inherit(const Near& near, std::span<const Touch> before, Touch& touch) const;
+    void inherit(std::span<const Touch> before, Touch& touch) const;
     bool keeps_side(const Near& near, std::span<const Touch> before, const Vec3& normal, double& side) const;
     double side_of_new(const Near& near, double distance) const;
     bool comes_from_outside(const Near& near, const Vec3& normal, double distance) const;
-    double closing_speed(const Near& near, const Vec3& normal) const;
+    double approach(Index node, Index number, double s, double t, const Vec3& normal) const;
+    double turned_under(Index node, Index number, double s, double t, const Vec3& normal) const;
     bool closest_of_feature(const Near& near) const;
     Vec3 normal_around(const Near& near) const;
     bool faces(Index node, const Vec3& normal) const;

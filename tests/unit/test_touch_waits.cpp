@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 
 namespace plash {
@@ -141,6 +142,58 @@ struct ProbeOverSheet : Moved {
             if (norm(middle - Vec3{2, 0, 0}) < 1e-9) far = static_cast<Index>(facet);
         }
     }
+};
+
+/// A node rests on a sheet in front of another, in a contact of both surfaces; what touches is told cycle by
+/// cycle.
+struct NodeOnTwoSheets {
+    ContactModel mesh;
+    Index upper, lower, other, probe;
+    std::size_t first_lower;
+    State state;
+    Clock clock;
+    std::optional<SurfaceContact> term;
+
+    /// The node stands `height` over the upper sheet, whose thickness and the node's are 0.1; the lower one
+    /// lies `behind` it.
+    NodeOnTwoSheets(double height, double behind, double lower_thickness)
+    {
+        upper = mesh.add_part(1, 210, 0.1);
+        lower = mesh.add_part(1, 210, lower_thickness);
+        other = mesh.add_part(1, 210, 0.1);
+        const auto sheet = [&](Index part, double z) {
+            return mesh.add_sheet(part, 4, 4, [&](double u, double v) {
+                return Vec3{4 * u - 2.4, 4 * v - 2.4, z};
+            });
+        };
+        sheet(upper, 0);
+        first_lower = static_cast<std::size_t>(sheet(lower, -behind));
+        probe = mesh.add_node({0, 0, height});
+        mesh.add_shell(
+            other, {probe, mesh.add_node({0, 0, 50}), mesh.add_node({0, 1, 50}), mesh.add_node({1, 0, 50})});
+        Contact contact;
+        contact.kind = Contact::Kind::two_way;
+        contact.slave.kind = contact.master.kind = ContactSide::Kind::parts;
+        contact.slave.parts = {other};
+        contact.master.parts = {upper, lower};
+        contact.limit_thickness = false;
+        mesh.model.contacts.push_back(contact);
+        state = mesh.state();
+        clock.step = clock.last_step = 0.01;
+        term.emplace(mesh.model.contacts[0], mesh.model, part_data(mesh.model));
+    }
+
+    std::vector<Touch> cycle(double probe_falls, double upper_falls)
+    {
+        for (std::size_t i = 0; i < first_lower; ++i) state.velocity[i].z = -upper_falls / clock.step;
+        state.velocity[probe].z = -probe_falls / clock.step;
+        for (std::size_t i = 0; i < state.size(); ++i) state.position[i] += clock.step * state.velocity[i];
+        state.clear_forces();
+        term->add_forces(clock, state);
+        clock.time += clock.step;
+        return term->touches().all;
+    }
+    Index part_of(const Touch& touch) const { return term->mesh().facets[touch.facet].part; }
 };
 
 } // namespace
@@ -441,49 +494,48 @@ TEST(QuietNodes, AreNotPressedByBeingFollowed)
 /// first gives way within one step, the second takes the node over in that cycle, with all that presses.
 TEST(QuietNodes, AreTakenOverByWhatTheirTouchHeldOff)
 {
-    ContactModel mesh;
-    const Index upper = mesh.add_part(1, 210, 0.1), lower = mesh.add_part(1, 210, 0.1),
-                other = mesh.add_part(1, 210, 0.1);
     const double behind = 5e-4;
-    mesh.add_sheet(upper, 4, 4, [](double u, double v) { return Vec3{4 * u - 2.4, 4 * v - 2.4, 0}; });
-    const auto first_lower = static_cast<std::size_t>(mesh.add_sheet(lower, 4, 4, [&](double u, double v) {
-        return Vec3{4 * u - 2.4, 4 * v - 2.4, -behind};
-    }));
-    const Index probe = mesh.add_node({0, 0, 0.1 + 5e-4});
-    mesh.add_shell(other,
-                   {probe, mesh.add_node({0, 0, 50}), mesh.add_node({0, 1, 50}), mesh.add_node({1, 0, 50})});
-    Contact contact;
-    contact.kind = Contact::Kind::two_way;
-    contact.slave.kind = contact.master.kind = ContactSide::Kind::parts;
-    contact.slave.parts = {other};
-    contact.master.parts = {upper, lower};
-    contact.limit_thickness = false;
-    mesh.model.contacts.push_back(contact);
-    State state = mesh.state();
-    Clock clock;
-    clock.step = clock.last_step = 0.01;
-    SurfaceContact term(mesh.model.contacts[0], mesh.model, part_data(mesh.model));
-    const auto cycle = [&](double probe_falls, double upper_falls) {
-        for (std::size_t i = 0; i < first_lower; ++i) state.velocity[i].z = -upper_falls / clock.step;
-        state.velocity[probe].z = -probe_falls / clock.step;
-        for (std::size_t i = 0; i < state.size(); ++i) state.position[i] += clock.step * state.velocity[i];
-        state.clear_forces();
-        term.add_forces(clock, state);
-        clock.time += clock.step;
-        return term.touches().all;
-    };
-    EXPECT_EQ(cycle(0, 0).size(), 0u);
+    NodeOnTwoSheets set(0.1 + 5e-4, behind, 0.1);
+    EXPECT_EQ(set.cycle(0, 0).size(), 0u);
     for (int rest = 0; rest < 3; ++rest) {
-        const std::vector<Touch> on_upper = cycle(rest == 0 ? 1.5e-3 : 0, 0);
+        const std::vector<Touch> on_upper = set.cycle(rest == 0 ? 1.5e-3 : 0, 0);
         ASSERT_EQ(on_upper.size(), 1u);
-        EXPECT_EQ(term.mesh().facets[on_upper[0].facet].part, upper);
+        EXPECT_EQ(set.part_of(on_upper[0]), set.upper);
         EXPECT_NEAR(on_upper[0].active_penetration(), 1e-3, 1e-12);
     }
-    const std::vector<Touch> on_lower = cycle(0, 2e-3);
+    const std::vector<Touch> on_lower = set.cycle(0, 2e-3);
     ASSERT_EQ(on_lower.size(), 1u);
-    EXPECT_EQ(term.mesh().facets[on_lower[0].facet].part, lower);
+    EXPECT_EQ(set.part_of(on_lower[0]), set.lower);
     EXPECT_NEAR(on_lower[0].active_penetration(), 1e-3 - behind, 1e-12);
-    EXPECT_GT(state.force[probe].z, 0);
+    EXPECT_GT(set.state.force[set.probe].z, 0);
+}
+
+/// The second sheet is thicker, and the node, which presses by 1e-6 on the first, 5e-3 deep in it. What it
+/// begins with when the first gives way is what it pressed with and what it has come closer in that step,
+/// however far the first sheet has moved, and whether the node was followed or looked up.
+TEST(QuietNodes, AreNotShotByWhatTheirTouchHeldOff)
+{
+    for (const int rests : {0, 3}) {
+        for (const double falls : {0.0, 3e-6}) {
+            NodeOnTwoSheets set(0.1 + 1e-6, 5e-3, 0.12);
+            const std::vector<Touch> found = set.cycle(0, 0);
+            ASSERT_EQ(found.size(), 1u);
+            EXPECT_EQ(set.part_of(found[0]), set.lower);
+            EXPECT_EQ(found[0].active_penetration(), 0) << "it was there";
+            set.cycle(2e-6, 0); // now the first touches, and is closer
+            for (int rest = 0; rest <= rests; ++rest) {
+                const std::vector<Touch> on_upper = set.cycle(rest == 0 ? 1e-6 : 0, 0);
+                ASSERT_EQ(on_upper.size(), 1u);
+                EXPECT_EQ(set.part_of(on_upper[0]), set.upper);
+                EXPECT_NEAR(on_upper[0].active_penetration(), 1e-6, 1e-12);
+            }
+            const std::vector<Touch> on_lower = set.cycle(falls, 2e-3);
+            ASSERT_EQ(on_lower.size(), 1u);
+            EXPECT_EQ(set.part_of(on_lower[0]), set.lower);
+            EXPECT_NEAR(on_lower[0].penetration, 5e-3 + 2e-6 + falls, 1e-12);
+            EXPECT_NEAR(on_lower[0].active_penetration(), 1e-6 + falls, 1e-12) << rests;
+        }
+    }
 }
 
 } // namespace plash
