@@ -72,7 +72,9 @@ private:
                        std::span<const Touch> touches) const;
     bool holds_off(const Touch& touch, const Near& near) const;
     bool goes_on_in_plane(const Touch& touch) const;
+    double within(const Touch& touch) const;
     double room_of(const Touch& touch, int feature) const;
+    double room_beside(const Near& near, std::span<const Touch> touches) const;
     bool flat_around(Index facet) const;
     Touch touch_before(const TouchTable& table, std::size_t owner, int layer) const;
     bool call_again(PairList& pairs, std::size_t owner, std::span<const Touch> before,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plash {
 
@@ -19,6 +20,8 @@ constexpr double rim_path = 0.02;
 
 /// Cosine of the angle up to which facets that meet at an edge count as one plane.
 constexpr double nearly_flat = 0.99;
+
+constexpr double any_path = std::numeric_limits<double>::infinity();
 
 /// Of penetrations, as a share of a facet's size.
 constexpr double same_depth = 1e-9;
@@ -53,6 +56,16 @@ bool TouchFinder::goes_on_in_plane(const Touch& touch) const
     return std::abs(gap - side * dot(foot.offset, normal) - touch.penetration) <= same_depth * facet.size;
 }
 
+/// Path that the node may go without leaving the facet; in a skewed one the sides are closer than its size
+/// says.
+double TouchFinder::within(const Touch& touch) const
+{
+    const auto& facet = mesh_.facets[touch.facet];
+    const double inside = facet.triangle() ? std::min({touch.s, touch.t, 1 - touch.s - touch.t})
+                                           : std::min({touch.s, 1 - touch.s, touch.t, 1 - touch.t});
+    return 0.5 * std::max(0.0, inside) * facet.size;
+}
+
 /// Path that the node may go without leaving the facet, its plane, or the free side of its sheet by much.
 double TouchFinder::room_of(const Touch& touch, int feature) const
 {
@@ -67,10 +80,7 @@ double TouchFinder::room_of(const Touch& touch, int feature) const
         return rim ? std::min(free_path * facet.size, rim_path * gap) : free_path * facet.size;
     }
     if (feature != 0) return 0;
-    const double inside = facet.triangle() ? std::min({touch.s, touch.t, 1 - touch.s - touch.t})
-                                           : std::min({touch.s, 1 - touch.s, touch.t, 1 - touch.t});
-    // In a skewed facet the sides are closer than its size says.
-    return std::min(free_path, 0.5 * inside) * facet.size;
+    return std::min(free_path * facet.size, within(touch));
 }
 
 /// Whether a touch keeps its node from touching another facet: it presses from about the direction in which
@@ -81,6 +91,26 @@ bool TouchFinder::holds_off(const Touch& touch, const Near& near) const
     if (mesh_.facets[near.facet].one_sided && dot(touch.normal, near.normal) > nearly_flat) return true;
     const double distance = std::sqrt(near.distance2);
     return !near.over && distance > 0 && dot(touch.normal, near.offset) >= 0.6 * distance;
+}
+
+/// Path before which a facet that is held off by a touch does not take the node over. In the plane of the
+/// touch, one of the same sheet goes on at the same depth if it is as thick, else it begins where the node
+/// leaves the facet; one of another surface has to become the closer one. One at an angle may come to be the
+/// deeper by no more than a share of the contact thickness.
+double TouchFinder::room_beside(const Near& near, std::span<const Touch> touches) const
+{
+    const ContactMesh::Facet& facet = mesh_.facets[near.facet];
+    for (const Touch& touch : touches) {
+        const bool in_plane = std::abs(dot(touch.normal, near.normal)) > nearly_flat;
+        if (!in_plane || !holds_off(touch, near)) continue;
+        const ContactMesh::Facet& touched = mesh_.facets[touch.facet];
+        if (share_a_corner(touched, facet)) {
+            return touched.half_thickness == facet.half_thickness ? any_path : within(touch);
+        }
+        const double gap = mesh_.half_thickness[touch.node] + touched.half_thickness;
+        return 0.5 * std::max(0.0, std::sqrt(near.distance2) - std::abs(gap - touch.penetration));
+    }
+    return rim_path * (mesh_.half_thickness[near.node] + facet.half_thickness);
 }
 
 /// Path before which the touches of a node stay as they are but for where exactly on their facets, and no
@@ -97,11 +127,6 @@ double TouchFinder::quiet_until(const PairList& pairs, std::size_t owner, std::s
                                       [&](const Touch& other) { return holds_off(other, one); });
         if (!held && touch_with(one) == touches.end()) return 0;
     }
-    const auto in_plane_of_any = [&](const Near& one) {
-        return std::any_of(touches.begin(), touches.end(), [&](const Touch& other) {
-            return std::abs(dot(other.normal, one.normal)) > nearly_flat;
-        });
-    };
     const double now = pairs.paths.now(owner);
     double until = pairs.others_due[owner];
     for (Index pair = pairs.begin[owner]; pair < pairs.begin[owner] + pairs.close[owner]; ++pair)
@@ -109,14 +134,7 @@ double TouchFinder::quiet_until(const PairList& pairs, std::size_t owner, std::s
     for (const Near& one : near) {
         if (until <= now) break;
         const auto touch = touch_with(one);
-        double room = 0;
-        if (touch != touches.end()) {
-            room = room_of(*touch, one.feature);
-        } else if (in_plane_of_any(one)) {
-            continue;
-        } else { // it may come to be the deeper of the two
-            room = rim_path * (mesh_.half_thickness[one.node] + mesh_.facets[one.facet].half_thickness);
-        }
+        const double room = touch != touches.end() ? room_of(*touch, one.feature) : room_beside(one, touches);
         until = std::min(until, pairs.paths.travelled(owner) + room);
     }
     return until;

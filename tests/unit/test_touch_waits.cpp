@@ -276,32 +276,38 @@ TEST(TouchWaits, SolidsReachOutwardByTheThicknessAndInwardByTheirDepth)
     }
 }
 
-/// A node that touches the top of one block and stands 1e-9 over that of another in the same place is quiet:
-/// the touch holds off the second. One that stands over both, touching nothing, may begin in any step.
-TEST(TouchWaits, TouchHoldsOffFacesInItsPlane)
+/// A node touches the top of one block; that of another in the same place lies lower by some height. The
+/// touch holds off the second until it can have become the closer one: either distance changes by no more
+/// than the path. One that stands over both, touching nothing, may begin in any step.
+TEST(TouchWaits, TouchHoldsOffFacesInItsPlaneUntilTheyMayBeCloser)
 {
-    for (const double height : {-1e-9, 1e-9}) {
+    const double step = 1e-8;
+    struct Case {
+        double penetration, lower;
+    };
+    for (const Case& one : {Case{2e-3, 1e-3}, Case{2e-3, 1e-5}, Case{1e-9, 2e-9}, Case{-1e-9, 2e-9}}) {
         Moved set;
         const Index block = set.built.add_part(1, 210, 0), other = set.built.add_part(1, 210, 0.02);
         set.built.add_block(block, {-1, -1, -2}, {1, 1, 0}, {2, 2, 2});
-        set.built.add_block(block, {-0.9, -0.9, -2}, {1.1, 1.1, -2e-9}, {2, 2, 2});
-        Index probe = set.built.add_node({0.4, 0.4, 0.01 + height});
+        set.built.add_block(block, {-0.9, -0.9, -2}, {1.1, 1.1, -one.lower}, {2, 2, 2});
+        Index probe = set.built.add_node({0.4, 0.4, 0.01 - one.penetration});
         set.built.add_shell(other, {probe, set.built.add_node({0, 0, 50}), set.built.add_node({0, 1, 50}),
                                     set.built.add_node({1, 0, 50})});
         set.finish();
         probe = set.number[probe];
-        set.motion.velocity.own()[probe] = {1e-8, 0, 0};
+        set.motion.velocity.own()[probe] = {step, 0, 0};
         set.motion.follow(1);
         Followed followed(set);
         followed.find(set);
-        const auto& owners = followed.pairs().owner;
-        const auto owner = std::lower_bound(owners.begin(), owners.end(), probe) - owners.begin();
+        const PairList& pairs = followed.pairs();
+        const auto owner =
+            std::lower_bound(pairs.owner.begin(), pairs.owner.end(), probe) - pairs.owner.begin();
         followed.find(set);
-        ASSERT_EQ(followed.table.count(owner), height < 0 ? 1 : 0);
-        if (height < 0) {
-            EXPECT_GT(followed.pairs().quiet[owner], 1e-3);
+        ASSERT_EQ(followed.table.count(owner), one.penetration > 0 ? 1 : 0);
+        if (one.penetration > step) {
+            EXPECT_NEAR(pairs.quiet[owner] - pairs.paths.travelled(owner), one.lower / 2, 1e-12);
         } else {
-            EXPECT_EQ(followed.pairs().quiet[owner], 0);
+            EXPECT_LE(pairs.quiet[owner], pairs.paths.now(owner));
         }
     }
 }
@@ -535,6 +541,73 @@ TEST(QuietNodes, AreNotShotByWhatTheirTouchHeldOff)
             EXPECT_NEAR(on_lower[0].penetration, 5e-3 + 2e-6 + falls, 1e-12);
             EXPECT_NEAR(on_lower[0].active_penetration(), 1e-6 + falls, 1e-12) << rests;
         }
+    }
+}
+
+/// Two sheets in the same place hold a node. Where the closer one gives way little by little, the other goes
+/// on with the touch from the first, and the node is pressed as before.
+TEST(QuietNodes, GoOnWithASheetInTheSamePlace)
+{
+    const double behind = 1e-6, pressed = 1e-3;
+    NodeOnTwoSheets set(0.1 + 1e-3, behind, 0.1);
+    EXPECT_EQ(set.cycle(0, 0).size(), 0u);
+    EXPECT_EQ(set.cycle(1e-3 + pressed, 0).size(), 1u);
+    for (int rest = 0; rest < 3; ++rest) {
+        const std::vector<Touch> on_upper = set.cycle(0, 0);
+        ASSERT_EQ(on_upper.size(), 1u);
+        EXPECT_EQ(set.part_of(on_upper[0]), set.upper);
+        EXPECT_NEAR(on_upper[0].active_penetration(), pressed, 1e-12);
+    }
+    for (int cycle = 0; cycle < 50; ++cycle) {
+        const std::vector<Touch> on_lower = set.cycle(0, 1e-5);
+        ASSERT_EQ(on_lower.size(), 1u);
+        EXPECT_EQ(set.part_of(on_lower[0]), set.lower) << cycle;
+        EXPECT_NEAR(on_lower[0].active_penetration(), pressed - behind, 1e-12) << cycle;
+    }
+}
+
+/// A sheet of 0.1 whose one half is thinner: a node that is held by the thick half only and slides over the
+/// border is held no more, however little it has slid.
+TEST(QuietNodes, AreNotHeldByAThicknessBesideThem)
+{
+    ContactModel mesh;
+    const Index thick = mesh.add_part(1, 210, 0.1), thin = mesh.add_part(1, 210, 0.02),
+                other = mesh.add_part(1, 210, 0.1);
+    mesh.add_sheet(thick, 4, 4, [](double u, double v) { return Vec3{4 * u - 2, 4 * v - 1.6, 0}; });
+    for (std::size_t shell = 0; shell < 16; ++shell)
+        if (shell % 4 > 1) mesh.model.shells.part[shell] = thin;
+    const double beside = 5e-3;
+    const Index probe = mesh.add_node({-beside, 0, 0.1 + 1e-3});
+    mesh.add_shell(other,
+                   {probe, mesh.add_node({0, 0, 50}), mesh.add_node({0, 1, 50}), mesh.add_node({1, 0, 50})});
+    Contact contact;
+    contact.kind = Contact::Kind::two_way;
+    contact.slave.kind = contact.master.kind = ContactSide::Kind::parts;
+    contact.slave.parts = {other};
+    contact.master.parts = {thick, thin};
+    contact.limit_thickness = false;
+    mesh.model.contacts.push_back(contact);
+    State state = mesh.state();
+    Clock clock;
+    clock.step = clock.last_step = 0.01;
+    SurfaceContact term(mesh.model.contacts[0], mesh.model, part_data(mesh.model));
+    const auto cycle = [&](double slides, double falls) {
+        state.velocity[probe] = {slides / clock.step, 0, -falls / clock.step};
+        state.position[probe] += clock.step * state.velocity[probe];
+        state.clear_forces();
+        term.add_forces(clock, state);
+        clock.time += clock.step;
+        return term.touches().all;
+    };
+    EXPECT_EQ(cycle(0, 0).size(), 0u);
+    EXPECT_EQ(cycle(0, 2e-3).size(), 1u);
+    EXPECT_EQ(cycle(0, 0).size(), 1u);
+    const double slide = 1e-3;
+    for (int i = 1; i * slide < 3 * beside; ++i) {
+        const std::vector<Touch> touches = cycle(slide, 0);
+        if (std::abs(i * slide - beside) < 0.5 * slide) continue; // on the border
+        ASSERT_EQ(touches.size(), i * slide < beside ? 1u : 0u) << i;
+        for (const Touch& touch : touches) EXPECT_NEAR(touch.active_penetration(), 1e-3, 1e-12);
     }
 }
 
