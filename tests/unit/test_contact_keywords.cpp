@@ -1,5 +1,7 @@
+#include "contact/part_data.h"
 #include "parser/layout.h"
 #include "parser/read_model.h"
+#include "solver/scene.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -161,6 +163,28 @@ TEST(ContactControl, OptionalCards)
     ASSERT_EQ(wrong.report.errors.size(), 2u);
     EXPECT_EQ(wrong.report.errors[0].field, "ISYM");
     EXPECT_EQ(wrong.report.errors[1].field, "DPRFAC");
+}
+
+/// The stiffness of *MAT_NULL is that of its contacts: 200 / (3 (1 - 0.6)). Without one it is listed, with
+/// its reason.
+TEST(ContactMaterials, StiffnessOfNullMaterialIsForContactsAlone)
+{
+    const std::string deck = "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n*ELEMENT_SHELL\n1,3,1,2,3,4\n"
+                             "*SECTION_SHELL\n3,2\n.1,.1,.1,.1\n*PART\n\n3,3,3\n"
+                             "*MAT_NULL\n3,1.0,0,0,0,0,200.0,0.3\n";
+    for (const bool contact : {true, false}) {
+        ReadResult read = read_text(deck + (contact ? "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0\n1\n" : ""));
+        ASSERT_TRUE(read.ok);
+        const Scene scene = make_scene(read.model);
+        list_unread_fields(read.model, read.report);
+        std::string fields;
+        for (const IgnoredField& one : read.report.ignored) {
+            fields += one.field + ' ';
+            EXPECT_NE(one.reason.find("contacts"), std::string::npos) << one.reason;
+        }
+        EXPECT_EQ(fields, contact ? "" : "YM PR ");
+        EXPECT_NEAR(bulk_modulus_of(read.model, read.model.parts[2]), 200 / 1.2, 1e-12 * 200);
+    }
 }
 
 using K = Contact::Kind;
