@@ -43,11 +43,14 @@ void RigidWallTerm::start(const Clock& clock, const State& state)
     const auto of_body = [&](std::size_t i) { return state.mass[nodes_[i]] == 0 && mass_[i] > 0; };
     bool rigid = false;
     for (std::size_t i = 0; i < nodes_.size(); ++i) rigid = rigid || of_body(i);
-    if (!rigid) return;
+    const bool parts_are_switched =
+        std::any_of(model_.others.begin(), model_.others.end(),
+                    [](const Record& record) { return record.keyword == "DEFORMABLE_TO_RIGID_AUTOMATIC"; });
+    if (!rigid && !parts_are_switched) return;
     pushed_.resize(nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        if (!of_body(i)) {
-            pushed_[i].baseline = -forever; // never, should its mass go some day
+        if (!of_body(i)) { // never, should its mass go some day but to a body
+            if (!parts_are_switched) pushed_[i].baseline = -forever;
             continue;
         }
         const WallMeeting met = meet(wall_, state.position[nodes_[i]], state.position[nodes_[i]]);
@@ -162,6 +165,7 @@ void RigidWallTerm::stop_node(std::size_t i, const Clock& clock, State& state, S
     // Lands on the surface; what is already behind it stops where it is.
     const double target = met.now > 0 ? 0 : met.now;
     const double normal_force = mass * (target - met.next) / clock.step / span;
+    if (normal_force < 0 && !held) return; // from behind it comes back by itself
     Vec3 force = normal_force * met.normal;
     if (wall_.friction > 0 || wall_.orthotropic) {
         const Vec3 sliding = relative - dot(relative, met.normal) * met.normal;

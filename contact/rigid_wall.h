@@ -30,6 +30,10 @@ public:
     void collect(const State& state, ElementResults& results) const override;
     void serialise(Archive& archive) override;
 
+    const RigidWall& wall() const { return wall_; }
+    /// Force of the nodes on the wall at n [force].
+    const Vec3& force() const { return force_; }
+
 private:
     /// A node of a rigid body that is pushed out by a spring.
     struct Pushed {
@@ -46,7 +50,7 @@ private:
     const Model& model_;
     std::vector<Index> nodes_;
     std::vector<double> mass_;   ///< like nodes_, also of nodes of rigid bodies [mass]
-    std::vector<Pushed> pushed_; ///< like nodes_; empty without rigid bodies
+    std::vector<Pushed> pushed_; ///< like nodes_; empty where no nodes are or may come to be of rigid bodies
     std::vector<bool> welded_;   ///< like nodes_, only with FRIC = 2 and 3
     bool started_ = false;
     double spring_rate_ = 0; ///< 0.1 / dt^2 of the first step [1/time^2]

@@ -48,6 +48,8 @@ public:
     /// Springs of a TIEBREAK contact, or nullptr.
     const TiedSprings* ties() const { return ties_ ? &*ties_ : nullptr; }
     double friction_energy() const { return energy_.friction; }
+    /// Whether there is a force at n.
+    bool presses() const;
 
 private:
     struct Energy {

@@ -5,6 +5,12 @@
 
 namespace plash {
 
+bool SurfaceContact::presses() const
+{
+    return summed_ && std::any_of(sum_.begin(), sum_.end(),
+                                  [](const NodeSum& sum) { return dot(sum.force, sum.force) > 0; });
+}
+
 /// Shares of a touch's facet corners in its contact point.
 std::array<double, 4> SurfaceContact::shares(const Touch& touch) const
 {

@@ -219,6 +219,7 @@ private:
         if (phase == Phase::conditions) {
             finish_loads(reading_);
             finish_contacts(reading_);
+            finish_switched_parts(reading_);
         }
     }
 

@@ -193,6 +193,9 @@ void make_stand_ins(Reading& reading);
 void finish_loads(Reading& reading);
 void finish_nodal_rigid_bodies(Reading& reading);
 void finish_contacts(Reading& reading);
+/// Parts that a switch sets free are no rigid parts of the Model, also where *DEFORMABLE_TO_RIGID makes them
+/// rigid at the start.
+void finish_switched_parts(Reading& reading);
 
 /// Brings the points of curves and tables of includes with other units into those of the deck.
 void convert_foreign_curves(Reading& reading);

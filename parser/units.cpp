@@ -348,6 +348,8 @@ constexpr Row rows[] = {
     {"CONSTRAINED_JOINT_*", "TFAIL", duration},
     {"CONSTRAINED_JOINT_*", "NXX NYY NZZ", force},
     {"CONSTRAINED_JOINT_*", "MXX MYY MZZ", moment},
+    {"DEFORMABLE_TO_RIGID_AUTOMATIC", "TIME1 TIME2 TIME3 DTMAX", duration},
+    {"DEFORMABLE_TO_RIGID_AUTOMATIC", "OFFSET", length},
     {"CONSTRAINED_SPOTWELD", "SN SS", force},
     {"CONSTRAINED_SPOTWELD", "N M EP", number},
     {"CONSTRAINED_SPOTWELD", "TF", duration},

@@ -28,13 +28,17 @@ RigidBodies::RigidBodies(const Model& model, RigidSetup setup, State& state)
     : model_(model),
       bodies_(std::move(setup.bodies)),
       welds_(std::move(setup.welds)),
+      switches_(std::move(setup.switches)),
       notices_(std::move(setup.notices))
 {
     std::vector<Index> of_node(state.size(), none);
     for (std::size_t number = 0; number < bodies_.size(); ++number) {
+        bodies_[number].acceleration_of_node.resize(bodies_[number].nodes.size());
+        if (bodies_[number].released) continue; // a switch engages it
+        const bool has_masses = !bodies_[number].node_mass.empty();
         for (Index node : bodies_[number].nodes) {
             of_node[node] = static_cast<Index>(number);
-            if (bodies_[number].number == none) {
+            if (bodies_[number].number == none && !has_masses) {
                 bodies_[number].node_mass.push_back(state.mass[node]);
                 if (state.rotational()) bodies_[number].node_inertia.push_back(state.inertia[node]);
             }
@@ -42,7 +46,6 @@ RigidBodies::RigidBodies(const Model& model, RigidSetup setup, State& state)
             if (state.rotational()) state.inertia[node] = 0;
         }
         show_velocity(bodies_[number], state);
-        bodies_[number].acceleration_of_node.resize(bodies_[number].nodes.size());
     }
     before_.resize(bodies_.size());
     std::size_t largest = 0;
@@ -63,6 +66,7 @@ void RigidBodies::constrain(const Clock& clock, State& state)
         if (weld.failed && !bodies_[weld.body].released) release(weld.body, state);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         before_[i] = {bodies_[i].velocity, bodies_[i].angular_velocity, bodies_[i].angular_momentum};
+    if (!begun_.empty()) take_last_work(clock, state);
     take_forces(clock, state);
     if (!rows_.empty()) {
         set_targets(clock, state);
@@ -98,19 +102,6 @@ void RigidBodies::begin_phase(bool relaxing, State& state)
         if (!body.released) show_velocity(body, state);
     }
     if (!relaxing) first_.clear();
-}
-
-/// The nodes get their masses back and go on with the velocities that the body gave them.
-void RigidBodies::release(Index number, State& state)
-{
-    RigidBody& body = bodies_[number];
-    for (BodyRow& row : rows_.rows)
-        if (row.first == number || row.second == number) row.dead = true;
-    for (std::size_t i = 0; i < body.nodes.size(); ++i) {
-        state.mass[body.nodes[i]] = body.node_mass[i];
-        if (state.rotational()) state.inertia[body.nodes[i]] = body.node_inertia[i];
-    }
-    body.released = true;
 }
 
 /// Velocities at t = 0 that fit joints, supports and driven velocities.
@@ -356,7 +347,7 @@ StepVote RigidBodies::stable_step() const
 void RigidBodies::report(EnergyLedger& ledger) const
 {
     ledger.kinetic += kinetic_;
-    ledger.external_work += body_load_work_;
+    ledger.external_work += body_load_work_ + switched_energy_;
     for (const Drive& drive : drives_) ledger.external_work += drive.work.done;
     for (const Load& load : loads_) ledger.external_work += load.work;
     for (const JointSpring& spring : springs_) {
@@ -378,7 +369,12 @@ void RigidBodies::serialise(Archive& archive)
     for (Load& load : loads_) archive(load.last_magnitude, load.work, load.last_direction);
     for (JointSpring& spring : springs_) archive(spring);
     for (JointRows& joint : joints_) archive(joint.failed);
-    archive(welds_, joint_force_, joint_moment_, before_, kinetic_, body_load_work_);
+    for (Index number : switches_.bodies()) {
+        RigidBody& body = bodies_[number];
+        archive(body.arm, body.mass, body.body_inertia, body.node_mass, body.node_inertia);
+    }
+    archive(welds_, switches_, joint_force_, joint_moment_, before_, kinetic_, body_load_work_, begun_,
+            switched_energy_);
 }
 
 } // namespace plash

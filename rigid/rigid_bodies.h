@@ -5,6 +5,7 @@
 #include "rigid/body_rows.h"
 #include "rigid/joint_springs.h"
 #include "rigid/joints.h"
+#include "rigid/part_switches.h"
 #include "rigid/welds.h"
 
 namespace plash {
@@ -15,6 +16,7 @@ struct RigidSetup {
     std::vector<Index> of_number; ///< by body number: position in `bodies`, `none` where there is no body
     std::vector<Weld> welds;
     std::vector<std::string> notices; ///< for the user
+    PartSwitches switches{};
 };
 
 /// All rigid bodies of a scene. Their nodes have no mass of their own in the State, so the loop leaves them
@@ -29,6 +31,7 @@ public:
     std::string_view name() const override { return "rigid bodies"; }
     std::size_t items() const override { return bodies_.size(); }
     void constrain(const Clock& clock, State& state) override;
+    void after_motion(const Clock& clock, State& state) override;
     StepVote stable_step() const override;
     void report(EnergyLedger& ledger) const override;
     void collect(const State& state, ElementResults& results) const override;
@@ -80,6 +83,7 @@ private:
     std::vector<JointRows> joints_;
     std::vector<JointSpring> springs_;
     std::vector<Weld> welds_;
+    PartSwitches switches_;
     std::vector<Drive> drives_;
     std::vector<Support> supports_;
     std::vector<Load> loads_;
@@ -91,6 +95,8 @@ private:
     std::vector<Vec3> joint_force_, joint_moment_;
     double kinetic_ = 0;
     double body_load_work_ = 0;
+    std::vector<Index> begun_;   ///< bodies that a switch has made in the last step
+    double switched_energy_ = 0; ///< that switches of parts have added to the kinetic energy
 
     Index body_of(BodyNumber number, const std::vector<Index>& of_number, const Location& where) const;
     void add_drives(const std::vector<Index>& of_number);
@@ -100,6 +106,8 @@ private:
     void add_loads(const std::vector<Index>& of_number);
     void start();
     void release(Index body, State& state);
+    void engage(Index body, State& state);
+    void take_last_work(const Clock& clock, const State& state);
     void take_forces(const Clock& clock, const State& state);
     void add_missing_weight(const Clock& clock, RigidBody& body, Sums& sums);
     void set_targets(const Clock& clock, const State& state);

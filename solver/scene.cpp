@@ -32,6 +32,7 @@
 #include "solver/mass_scaling.h"
 #include "solver/nodal_inertias.h"
 #include "solver/rigid_parts.h"
+#include "solver/switch_watches.h"
 #include "sph/particle_bodies.h"
 #include "sph/particle_coupling.h"
 
@@ -166,6 +167,8 @@ Scene make_scene(const Model& model)
     RigidSetup bodies = make_rigid_bodies(model, state); // sees the velocities before fixities stop nodes
     add_inertia_bodies(model, state, bodies);
     add_conditions(scene, std::move(selective_masses));
+    bodies.switches = PartSwitches::read(model, state, bodies.bodies);
+    watch_forces(bodies.switches, model, scene.terms);
     if (!bodies.bodies.empty() || asks_for_rigid_bodies(model))
         scene.terms.push_back(std::make_unique<RigidBodies>(model, std::move(bodies), state));
     if (!tied->empty())

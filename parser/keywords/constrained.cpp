@@ -293,6 +293,7 @@ void read_deformable_to_rigid(const Record& record, const Block&, Reading& readi
         reading.error(record, "PID", fmt::format("there is no part {}", record.integer("PID")));
     }
     const BodyNumber lead = find_body(record, "LRB", reading);
+    reading.model.others.push_back(record); // a switch may set the parts free later
     for (Index part : parts) {
         reading.model.parts[part].made_rigid = true;
         if (lead != none) reading.model.rigid_merges.push_back({lead, part, true, record.where});
@@ -356,6 +357,33 @@ constexpr Translator constrained_table[] = {
 std::span<const Translator> constrained_keywords()
 {
     return constrained_table;
+}
+
+void finish_switched_parts(Reading& reading)
+{
+    Model& model = reading.model;
+    std::vector<bool> set_free(model.parts.size());
+    for (const Record& record : model.others) {
+        if (record.keyword != "DEFORMABLE_TO_RIGID_AUTOMATIC") continue;
+        for (const Table& table : record.tables) {
+            if (table.columns.size() != 2) continue; // D2R cards
+            for (std::size_t row = 0; row < table.rows(); ++row) {
+                const Id id = static_cast<Id>(table.at(row, 0));
+                const bool many = table.text[2 * row + 1] == "PSET";
+                const Index found = reading.table(many ? Kind::part_set : Kind::part).find(id);
+                if (found == none) continue; // named where the switches are made
+                const std::vector<Index> one{found};
+                for (Index part : many ? model.part_sets[found].parts : one) set_free[part] = true;
+            }
+        }
+    }
+    const auto switched = [&](BodyNumber body) {
+        return body < static_cast<Index>(model.parts.size()) && set_free[body] &&
+               model.parts[body].made_rigid;
+    };
+    std::erase_if(model.rigid_merges, [&](const RigidMerge& merge) { return switched(merge.follower); });
+    for (std::size_t part = 0; part < set_free.size(); ++part)
+        if (set_free[part]) model.parts[part].made_rigid = false;
 }
 
 void finish_nodal_rigid_bodies(Reading& reading)

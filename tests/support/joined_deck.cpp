@@ -217,6 +217,12 @@ std::string joined_deck()
             fmt::format("{},{},{},{}\n", soft + face[0], soft + face[1], soft + face[2], soft + face[3]);
     deck.text += "*AIRBAG_WANG_NEFSKE_ID\n7,bag\n1,0\n0.7,1.0,300.0,0,5\n0.8,,0.05\n"
                  "1.0e-4,1.2e-6,,,,1.0e-5,0\n,\n";
+    // A block that turns, and is rigid for a while.
+    deck.part(25, 2, 2);
+    deck.block(25, {100, 0, 0}, {104, 4, 4}, 2, 2, 2);
+    deck.text += "*INITIAL_VELOCITY_GENERATION\n25,2,0.5,0.0,1.0,0.5\n102,2,2,0,0,1\n"
+                 "*DEFORMABLE_TO_RIGID_AUTOMATIC\n1,0,0.2\n0,0,0,0,1\n25\n"
+                 "*DEFORMABLE_TO_RIGID_AUTOMATIC\n2,0,0.4\n0,0,0,0,0,1\n25\n";
     deck.text += fmt::format("*DATABASE_HISTORY_NODE\n{},{},{}\n*DATABASE_HISTORY_BEAM\n1,2,13\n*END\n", low,
                              over(12), hung);
     return deck.text;

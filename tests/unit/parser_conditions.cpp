@@ -171,8 +171,9 @@ TEST(ReadCrossSections, APlaneFindsItsElementsNodesAndArea)
 /// Every ASCII result file that Plash can write is made when the deck asks for it.
 TEST(Database, EveryResultFileCanBeAskedFor)
 {
-    for (const char* name : {"GLSTAT", "MATSUM", "NODOUT", "ELOUT", "SWFORC", "RWFORC", "SPCFORC", "SPHOUT",
-                             "BNDOUT", "RBDOUT", "JNTFORC", "SECFORC", "RCFORC", "SLEOUT", "NCFORC"}) {
+    for (const char* name :
+         {"GLSTAT", "MATSUM", "NODOUT", "ELOUT", "SWFORC", "RWFORC", "SPCFORC", "SPHOUT", "ABSTAT", "BNDOUT",
+          "RBDOUT", "JNTFORC", "SECFORC", "RCFORC", "SLEOUT", "NCFORC"}) {
         const ReadResult result = read_text(fmt::format("*DATABASE_{}\n0.25\n", name));
         EXPECT_EQ(errors_of(result), "");
         std::string file = name;
