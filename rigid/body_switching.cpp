@@ -88,6 +88,7 @@ void RigidBodies::after_motion(const Clock& clock, State& state)
         for (Index body : one->release) {
             if (bodies_[body].released) continue;
             release(body, state);
+            switches_.wake(body);
             switched_energy_ +=
                 kinetic_energy_of_nodes(bodies_[body], state) - kinetic_energy_of(bodies_[body]);
         }

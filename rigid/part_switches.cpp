@@ -114,13 +114,8 @@ public:
         return found;
     }
 
-    std::vector<Index> all() const
-    {
-        std::vector<Index> bodies;
-        for (const auto& entry : body_of_) bodies.push_back(entry.second);
-        std::sort(bodies.begin(), bodies.end());
-        return bodies;
-    }
+    /// All bodies, and the parts of each.
+    const std::map<std::vector<Index>, Index>& all() const { return body_of_; }
 
 private:
     const Model& model_;
@@ -239,7 +234,15 @@ PartSwitches PartSwitches::read(const Model& model, const State& state, std::vec
                                         switch_keyword, wanted));
         }
     }
-    result.bodies_ = maker.all();
+    const bool stressed = std::any_of(model.others.begin(), model.others.end(), [](const Record& record) {
+        return record.keyword.starts_with("INITIAL_STRESS");
+    });
+    result.at_rest_.resize(model.parts.size());
+    for (const auto& [parts, body] : maker.all()) {
+        result.bodies_.push_back(body);
+        result.parts_.push_back(parts);
+        for (Index part : parts) result.at_rest_[part] = !bodies[body].released && !stressed;
+    }
     return result;
 }
 
@@ -259,10 +262,17 @@ std::vector<const PartSwitch*> PartSwitches::act(double time)
     return acting;
 }
 
+void PartSwitches::wake(Index body)
+{
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (bodies_[i] == body)
+            for (Index part : parts_[i]) at_rest_[part] = 0;
+}
+
 void PartSwitches::serialise(Archive& archive)
 {
     for (PartSwitch& one : switches_) archive(one.ready);
-    archive(waits_until_);
+    archive(waits_until_, at_rest_);
 }
 
 } // namespace plash

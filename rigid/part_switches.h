@@ -35,6 +35,10 @@ public:
     std::vector<PartSwitch>& all() { return switches_; }
     /// The bodies, positions in the list of bodies.
     const std::vector<Index>& bodies() const { return bodies_; }
+    /// The elements of a part have had no stress yet: it has been rigid since the start.
+    bool at_rest(Index part) const { return at_rest_[part] != 0; }
+    /// The parts of a body may have stresses from now on.
+    void wake(Index body);
 
     /// Adds the bodies of the switches to those of the scene; bodies that *DEFORMABLE_TO_RIGID makes and a
     /// switch sets free are rigid from the start. DeckError for parts that cannot be switched: held or driven
@@ -49,7 +53,9 @@ public:
 private:
     std::vector<PartSwitch> switches_;
     std::vector<Index> bodies_;
-    double waits_until_ = 0; ///< TIME3 of the last one that has acted [time]
+    std::vector<std::vector<Index>> parts_; ///< of each of these
+    std::vector<std::uint8_t> at_rest_;     ///< by part of the Model
+    double waits_until_ = 0;                ///< TIME3 of the last one that has acted [time]
 };
 
 } // namespace plash

@@ -40,6 +40,7 @@ public:
     void begin_phase(bool relaxing, State& state) override;
 
     const std::vector<RigidBody>& bodies() const { return bodies_; }
+    const PartSwitches& switches() const { return switches_; }
 
 private:
     /// A row whose target follows a curve: a driven freedom of a body, or a motor.

@@ -1,6 +1,7 @@
 #include "solver/cycle.h"
 
 #include "core/run_error.h"
+#include "rigid/rigid_bodies.h"
 #include "solver/motion.h"
 
 #include <chrono>
@@ -24,12 +25,23 @@ void each_term(Scene& scene, std::vector<double>& seconds, Duty&& duty)
     }
 }
 
+/// Elements without stresses that move as a rigid body: the step that they asked for in the first cycle
+/// stays theirs.
+bool rests(const Scene& scene, const Clock& clock, const Term& term)
+{
+    if (!scene.switching || clock.last_step == 0) return false;
+    const Index part = term.scaled_part();
+    return part != none && scene.switching->switches().at_rest(part);
+}
+
 } // namespace
 
 void sum_forces(Scene& scene, Clock& clock, StepControl& step_control, std::vector<double>& seconds)
 {
     scene.state.clear_forces();
-    each_term(scene, seconds, [&](Term& term) { term.add_forces(clock, scene.state); });
+    each_term(scene, seconds, [&](Term& term) {
+        if (!rests(scene, clock, term)) term.add_forces(clock, scene.state);
+    });
     step_control.choose(clock, scene.terms);
 }
 

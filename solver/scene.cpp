@@ -171,6 +171,9 @@ Scene make_scene(const Model& model)
     watch_forces(bodies.switches, model, scene.terms);
     if (!bodies.bodies.empty() || asks_for_rigid_bodies(model))
         scene.terms.push_back(std::make_unique<RigidBodies>(model, std::move(bodies), state));
+    if (const auto* last =
+            scene.terms.empty() ? nullptr : dynamic_cast<RigidBodies*>(scene.terms.back().get()))
+        if (!last->switches().empty()) scene.switching = last;
     if (!tied->empty())
         scene.terms.push_back(std::make_unique<TiedMotion>(tied)); // after all that moves corners
     if (auto constraints = make_linear_constraints(model, state, std::move(elements)))

@@ -12,6 +12,8 @@
 
 namespace plash {
 
+class RigidBodies;
+
 /// The state and exactly the terms that a Model needs.
 struct Scene {
     const Model& model;
@@ -20,6 +22,7 @@ struct Scene {
     EnergyLedger ledger;
     double added_mass_ratio = 0; ///< mass added for *CONTROL_TIMESTEP DT2MS over the mass of the deck [-]
     MassSummary masses;
+    const RigidBodies* switching = nullptr; ///< the term that makes parts rigid while the run goes on
 };
 
 /// *CONTROL_DYNAMIC_RELAXATION IDRFLG = 5: the run begins in an equilibrium that is solved for.
