@@ -3,6 +3,7 @@
 #include "ale/absorbing_nodes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace plash {
@@ -141,6 +142,33 @@ void Fluid::advance(double step, double impulse_step)
     limit_ = evaluate(step);
     sum_energies();
     energies_.advection_loss += before - left - (energies_.kinetic - came_in);
+}
+
+Fluid::Unrest Fluid::unrest()
+{
+    constexpr double least_share = 1e-3; // of the heaviest node's mass
+    if (!(limit_.rate > 0)) return {};
+    const double step = stable_step();
+    const auto velocity = fields.velocity, mean = fields.mean_velocity;
+    accelerate(step);
+    push_nodes(fields, loads, step, step, gravity);
+    apply_outside(fields, outside_forces, held, slipping, step, step, gravity);
+    for (const HeldNode& node : held)
+        for (int axis = 0; axis < 3; ++axis)
+            if (node.axes & (1u << axis)) fields.velocity[axis][node.place] = velocity[axis][node.place];
+    const double heaviest = *std::max_element(fields.node_mass.begin(), fields.node_mass.end());
+    Unrest unrest;
+    for (std::size_t number = 0; number < node_count(); ++number) {
+        const std::ptrdiff_t place = node_place(number);
+        if (!(fields.node_mass[place] > least_share * heaviest)) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double now = std::abs(fields.velocity[axis][place] - velocity[axis][place]) / step;
+            if (now > unrest.acceleration) unrest = {now, number};
+        }
+    }
+    fields.velocity = velocity;
+    fields.mean_velocity = mean;
+    return unrest;
 }
 
 void Fluid::sum_energies()

@@ -92,6 +92,15 @@ public:
     void advance(double step, double impulse_step);
     void advance(double step) { advance(step, step); }
 
+    /// Where the coming step accelerates fluid most, and how much along an axis, with the forces of outside
+    /// as they are now; what the boundary drives or holds is not. Nodes with less than a thousandth of the
+    /// heaviest one's mass do not count.
+    struct Unrest {
+        double acceleration = 0; ///< [acceleration]
+        std::size_t node = 0;    ///< by its number
+    };
+    Unrest unrest();
+
     /// Largest stable step at t_n, before any safety factor [time], and the cell that limits it.
     double stable_step() const { return limit_.rate > 0 ? 1 / limit_.rate : 1e300; }
     /// By its number; negative: none.

@@ -2,7 +2,6 @@
 
 #include "ale/absorbing_nodes.h"
 #include "ale/hex/hex_fluid.h"
-#include "ale/hydrostatic.h"
 #include "ale/initial_state.h"
 #include "core/prescribed_rate.h"
 #include "core/run_error.h"
@@ -65,7 +64,7 @@ EulerianFluid::EulerianFluid(const Model& model, MeshBlock block, DeckGroups gro
     fluid_->close_curved_walls();
     fluid_->outside_pressure = settings.outside_pressure;
     fill_initial_state(*fluid_, block_, groups_, model);
-    hydrostatic_ = set_hydrostatic_state(*fluid_, block_, groups_, model);
+    still_ = set_hydrostatic_state(*fluid_, block_, groups_, model);
     if (settings.conserve_total_energy) fluid_->conserve_total_energy();
     find_ambient_cells();
     find_loaded_nodes();
@@ -260,7 +259,7 @@ void EulerianFluid::advance(const Clock& clock)
 {
     // The velocity step of the first cycle is half a step, but what holds a fluid at rest acts as long as its
     // pressure does.
-    const bool held_at_rest = hydrostatic_ && clock.last_step == 0;
+    const bool held_at_rest = still_ && clock.last_step == 0;
     try {
         fluid_->advance(clock.step, held_at_rest ? clock.step : clock.velocity_step());
     } catch (const HexDefect& defect) {
@@ -297,6 +296,13 @@ std::array<double, 3> EulerianFluid::gravity(double time) const
     for (const BodyLoad* load : frame_loads_)
         sum += (load->scale * curve_value(model_, load->curve, time)) * load->direction;
     return {-sum.x, -sum.y, -sum.z};
+}
+
+EulerianFluid::Unrest EulerianFluid::first_unrest(const State& state)
+{
+    fluid_->gravity = gravity(0);
+    const Fluid::Unrest unrest = fluid_->unrest();
+    return {unrest.acceleration, state.position[block_.nodes[unrest.node]]};
 }
 
 void EulerianFluid::clear_outside()

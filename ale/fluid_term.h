@@ -2,6 +2,7 @@
 
 #include "ale/box_fluid.h"
 #include "ale/deck_groups.h"
+#include "ale/hydrostatic.h"
 #include "ale/mesh_block.h"
 #include "ale/mesh_boundary.h"
 #include "ale/mesh_motion.h"
@@ -45,6 +46,14 @@ public:
     bool moves() const { return motion_.moves(); }
     const MeshBlock& block() const { return block_; }
     const DeckGroups& groups() const { return groups_; }
+    /// The level of a fluid that starts at rest.
+    const std::optional<StillLevel>& still_level() const { return still_; }
+    struct Unrest {
+        double acceleration = 0; ///< along an axis [acceleration]
+        Vec3 place{};            ///< [length]
+    };
+    /// Largest acceleration of the fluid in the first cycle of a run that begins with the state as it is.
+    Unrest first_unrest(const State& state);
     /// Acceleration of the frame's loads on the fluid [acceleration].
     std::array<double, 3> gravity(double time) const;
 
@@ -62,7 +71,7 @@ private:
     std::vector<std::size_t> loaded_nodes_; ///< of the mesh, on which loads of the deck act
     std::vector<const BodyLoad*> frame_loads_;
     bool started_ = false;
-    bool hydrostatic_; ///< it starts at rest, and so does what is coupled with it
+    std::optional<StillLevel> still_; ///< it starts at rest, and so does what is coupled with it
 
     void start(State& state);
     void clear_outside();

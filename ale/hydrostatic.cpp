@@ -77,14 +77,10 @@ struct Layer {
 };
 
 /// What one *INITIAL_HYDROSTATIC_ALE says.
-struct Still {
-    Vec3 down;          ///< unit, along gravity
-    Vec3 surface;       ///< a point of the free surface [length]
+struct Still : StillLevel {
     double gravity = 0; ///< [acceleration]
-    double top = 0;     ///< pressure there [pressure]
+    double top = 0;     ///< pressure at the free surface [pressure]
     std::vector<Layer> layers;
-
-    double depth(const Vec3& point) const { return dot(down, point - surface); }
 };
 
 Vec3 direction_of(const Model& model, const Record& record)
@@ -138,7 +134,7 @@ struct CellDepth {
     double middle = 0, half_height = 0;
 };
 
-CellDepth depth_of(const FluidCell& cell, const Still& still)
+CellDepth depth_of(const FluidCell& cell, const StillLevel& still)
 {
     double sum = 0, least = 1e300, most = -1e300;
     for (const Vec3& point : cell.points) {
@@ -204,11 +200,16 @@ double surface_correction(const FluidCell& cell, const Still& still)
     below.origin = still.surface;
     below.normal = still.down;
     const double wet_volume = share_of_cell(below, cell);
-    const double wet_height = 0.5 * (1 + depth.middle / depth.half_height);
-    return wet_volume > 0 ? wet_height / wet_volume : 1;
+    return wet_volume > 0 ? still.wet_share(cell) / wet_volume : 1;
 }
 
 } // namespace
+
+double StillLevel::wet_share(const FluidCell& cell) const
+{
+    const CellDepth depth = depth_of(cell, *this);
+    return std::clamp(0.5 * (1 + depth.middle / depth.half_height), 0.0, 1.0);
+}
 
 std::vector<double> pressures_below(double top, const std::function<double(double, double)>& density,
                                     double gravity, const std::vector<double>& depths)
@@ -238,13 +239,14 @@ double density_at_pressure(const FluidGroup& fluid, double pressure, double ener
     return density;
 }
 
-bool set_hydrostatic_state(Fluid& fluid, const MeshBlock& block, const DeckGroups& groups, const Model& model)
+std::optional<StillLevel> set_hydrostatic_state(Fluid& fluid, const MeshBlock& block,
+                                                const DeckGroups& groups, const Model& model)
 {
-    bool any = false;
+    std::optional<StillLevel> level;
     for (const Record& record : model.others) {
         if (record.keyword != "INITIAL_HYDROSTATIC_ALE" || !applies(model, record, block)) continue;
-        any = true;
         const Still still = still_of(model, record, groups);
+        level = still;
         const Profile profile(fluid, still, groups);
         const bool mixed = !fluid.fields.groups[0].fraction.empty();
         for (std::size_t number = 0; number < fluid.cell_count(); ++number) {
@@ -269,7 +271,7 @@ bool set_hydrostatic_state(Fluid& fluid, const MeshBlock& block, const DeckGroup
             }
         }
     }
-    return any;
+    return level;
 }
 
 } // namespace plash

@@ -5,6 +5,7 @@
 #include "ale/mesh_block.h"
 
 #include <functional>
+#include <optional>
 
 namespace plash {
 
@@ -18,12 +19,22 @@ std::vector<double> pressures_below(double top,
 /// Density at which a fluid has a pressure, at a given energy per mass (Newton's method) [density].
 double density_at_pressure(const FluidGroup& fluid, double pressure, double energy_per_mass);
 
+/// Where a fluid at rest ends.
+struct StillLevel {
+    Vec3 down;    ///< unit, along gravity
+    Vec3 surface; ///< a point of the free surface [length]
+
+    double depth(const Vec3& point) const { return dot(down, point - surface); }
+    /// Share of a cell's height that lies below the free surface.
+    double wet_share(const FluidCell& cell) const;
+};
+
 /// *INITIAL_HYDROSTATIC_ALE: compresses the fluids of a mesh, which is filled already, so that they rest
 /// under gravity: layers of one group each, every one below a node. A cell that the free surface passes has
 /// the pressure at half its height, which balances on the mesh if its fraction is the share of its height
-/// that is wet: cells with level ends that are no boxes are filled so. Whether the deck has one for this
-/// mesh.
-bool set_hydrostatic_state(Fluid& fluid, const MeshBlock& block, const DeckGroups& groups,
-                           const Model& model);
+/// that is wet: cells with level ends that are no boxes are filled so. Nothing comes back where the deck
+/// has none for this mesh.
+std::optional<StillLevel> set_hydrostatic_state(Fluid& fluid, const MeshBlock& block,
+                                                const DeckGroups& groups, const Model& model);
 
 } // namespace plash

@@ -263,6 +263,14 @@ int run_deck(const RunArguments& arguments)
                         "forces",
                         relaxation.converged ? "found" : "not found", relaxation.last_acceleration,
                         relaxation.reference, relaxation.first_acceleration, relaxation.cycles));
+        if (relaxation.fluid_acceleration > RelaxationOutcome::allowed_unrest)
+            log.warn(fmt::format(
+                "static start: Eulerian water is not at rest: it begins with {:.2e} of {:.4g} near "
+                "({:g}, {:g}, {:g}); {:.0e} would count as rest",
+                relaxation.fluid_acceleration, relaxation.reference, relaxation.fluid_place.x,
+                relaxation.fluid_place.y, relaxation.fluid_place.z, RelaxationOutcome::allowed_unrest));
+        else if (relaxation.fluid_acceleration > 0)
+            log.say(fmt::format("  its Eulerian water: {:.2e}", relaxation.fluid_acceleration));
     } else if (relaxation.geometry) {
         log.say(fmt::format("{} nodes went to the prescribed geometry in {} cycles", moved_nodes,
                             relaxation.cycles));

@@ -42,7 +42,12 @@ struct RelaxationOutcome {
     bool statics = false;     ///< an equilibrium was solved for (IDRFLG = 5); then these count:
     double reference = 0;     ///< what accelerations are measured by [acceleration]
     double first_acceleration = 0, last_acceleration = 0; ///< the largest, over the reference [-]
-    double last_angular = 0; ///< the largest of nodes that turn, by their radius of gyration [-]
+    double last_angular = 0;       ///< the largest of nodes that turn, by their radius of gyration [-]
+    double fluid_acceleration = 0; ///< the largest of Eulerian fluids, over the reference [-]
+    Vec3 fluid_place{};            ///< where that is [length]
+
+    /// Below this, relative to the reference, a start counts as one at rest.
+    static constexpr double allowed_unrest = 1e-4;
 };
 
 /// How a run ended, and what it took.

@@ -1,5 +1,6 @@
 #include "solver/static_phase.h"
 
+#include "ale/fluid_term.h"
 #include "core/prescribed_rate.h"
 #include "core/run_error.h"
 #include "solver/static_tangent.h"
@@ -17,7 +18,6 @@ namespace plash {
 namespace {
 
 constexpr double static_tolerance = 1e-5; // largest acceleration over the reference that ends the search
-constexpr double allowed_unrest = 1e-4;   // the same where water without stiffness stands between
 constexpr int newton_steps = 30, newton_steps_beside = 10; // the latter where the stiffness is known
 constexpr double krylov_memory = 4e7; // of GMRES between two restarts, in numbers; at least 100 vectors
 constexpr double krylov_vectors = 60; // enough where the stiffness of elements is known
@@ -202,7 +202,7 @@ public:
     {
         if (tangent_.of_elements()) {
             descend();
-            if (unrest_ <= allowed_unrest) return;
+            if (unrest_ <= RelaxationOutcome::allowed_unrest) return;
         }
         tangent_.measure(problem_.trials, best_.data(), problem_.length);
         tangent_.factorise(least_shift_);
@@ -275,6 +275,19 @@ private:
     }
 };
 
+/// What the Eulerian fluids do that have stood still meanwhile.
+void look_at_fluids(Scene& scene, RelaxationOutcome& outcome)
+{
+    for (const auto& term : scene.terms) {
+        auto* fluid = dynamic_cast<EulerianFluid*>(term.get());
+        if (!fluid) continue;
+        const EulerianFluid::Unrest unrest = fluid->first_unrest(scene.state);
+        if (!(unrest.acceleration / outcome.reference > outcome.fluid_acceleration)) continue;
+        outcome.fluid_acceleration = unrest.acceleration / outcome.reference;
+        outcome.fluid_place = unrest.place;
+    }
+}
+
 } // namespace
 
 RelaxationOutcome find_equilibrium(Scene& scene, std::vector<std::unique_ptr<Recorder>>& recorders,
@@ -306,12 +319,14 @@ RelaxationOutcome find_equilibrium(Scene& scene, std::vector<std::unique_ptr<Rec
         place = search.best();
         trials.accelerations(place.data(), there.data());
         outcome.last_acceleration = largest_of(trials, there.data(), 0, 3) / outcome.reference;
+        look_at_fluids(scene, outcome);
         tell(outcome.last_acceleration, true);
         outcome.last_angular = largest_of(trials, there.data(), 3, 6) / outcome.reference;
     }
-    outcome.converged = outcome.last_acceleration <= allowed_unrest;
     outcome.cycles = trials.count();
     trials.stay(place.data());
+    outcome.converged =
+        std::max(outcome.last_acceleration, outcome.fluid_acceleration) <= RelaxationOutcome::allowed_unrest;
     return outcome;
 }
 

@@ -119,9 +119,6 @@ Index CutCells::add_face(int axis, const std::array<int, 3>& index)
     face.node = {place, place + grid.stride(a), place + grid.stride(b),
                  place + grid.stride(a) + grid.stride(b)};
     face.weight = {area * (1 - s) * (1 - t), area * s * (1 - t), area * (1 - s) * t, area * s * t};
-    std::array<double, 4> fluid;
-    for (int n = 0; n < 4; ++n) fluid[n] = fluid_at(face.node[n]);
-    spare_light_nodes(fluid, face.weight);
     const auto between = [&](int along, double part) {
         const std::vector<double>& planes = grid.planes(along);
         const double low = planes[index[along]];
@@ -132,6 +129,43 @@ Index CutCells::add_face(int axis, const std::array<int, 3>& index)
     face.middle.*vector_component[b] = between(b, t);
     faces_.push_back(face);
     return entry;
+}
+
+/// Whether a cell that is none of these presses on a face, which it does on all four nodes alike.
+bool CutCells::is_pressed_alike(const Face& face) const
+{
+    for (const std::ptrdiff_t side : {face.place - fluid_.grid.stride(face.axis), face.place})
+        if (entry_[side] == none && fluid_.fields.total_mass()[side] > 0) return true;
+    return false;
+}
+
+std::array<double, 4> CutCells::spared(const Face& face) const
+{
+    std::array<double, 4> fluid, weight = face.weight;
+    for (int corner = 0; corner < 4; ++corner) fluid[corner] = fluid_at(face.node[corner]);
+    spare_light_nodes(fluid, weight);
+    return weight;
+}
+
+/// Both sides of a face press on its nodes by the same weights, or fluid at rest would move: cells beside
+/// these come in where light nodes are to be spared.
+void CutCells::take_in_beside_light_nodes(const BoxCuts& cuts)
+{
+    const std::size_t count = cells_.size();
+    for (std::size_t n = 0; n < count; ++n) {
+        for (int side = 0; side < 6; ++side) {
+            const Face& face = faces_[cells_[n].face[side]];
+            if (!is_pressed_alike(face) || spared(face) == face.weight) continue;
+            const auto [i, j, k] = beyond(cells_[n], side);
+            if (in_box({i, j, k})) add_cell({i, j, k}, cuts.open_share(i, j, k));
+        }
+    }
+}
+
+void CutCells::spare_light_nodes_from(std::size_t first_face)
+{
+    for (std::size_t n = first_face; n < faces_.size(); ++n)
+        if (!is_pressed_alike(faces_[n])) faces_[n].weight = spared(faces_[n]);
 }
 
 Index CutCells::add_cell(const std::array<int, 3>& index, double open)
@@ -180,52 +214,6 @@ Index CutCells::root(Index cell) const
     return cell;
 }
 
-/// Cells that the surface cuts, and those beside them, which it may come to cut.
-void CutCells::keep_resting(const BoxCuts& cuts)
-{
-    std::vector<std::array<int, 3>> near;
-    for (const BoxCuts::Cell& cut : cuts.cells()) {
-        near.push_back(cut.index);
-        for (int side = 0; side < 6; ++side) {
-            near.push_back(cut.index);
-            near.back()[side / 2] += side % 2 == 0 ? -1 : 1;
-        }
-    }
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    for (const std::array<int, 3>& index : near) {
-        if (!in_box(index)) continue;
-        const std::ptrdiff_t place = fluid_.grid.at(index[0], index[1], index[2]);
-        const double open = cuts.open_share(index[0], index[1], index[2]);
-        if (!(open > 0 && fluid_.fields.total_mass()[place] > 0)) continue;
-        Resting cell{index, open, {}, {}, {}};
-        for (const GroupFields& own : fluid_.fields.groups) {
-            cell.mass.push_back(own.mass[place]);
-            cell.energy.push_back(own.energy[place]);
-            cell.fraction.push_back(own.fraction[place]);
-        }
-        resting_.push_back(std::move(cell));
-    }
-}
-
-void CutCells::fill_at_rest(const BoxCuts& cuts)
-{
-    if (resting_.empty()) keep_resting(cuts);
-    FluidFields& fields = fluid_.fields;
-    for (const Resting& cell : resting_) {
-        const std::ptrdiff_t place = fluid_.grid.at(cell.index[0], cell.index[1], cell.index[2]);
-        const double ratio = cuts.open_share(cell.index[0], cell.index[1], cell.index[2]) / cell.open;
-        double mass = 0;
-        for (int g = 0; g < fluid_count(); ++g) {
-            GroupFields& own = fields.groups[g];
-            mass += own.mass[place] = ratio * cell.mass[g];
-            own.energy[place] = ratio * cell.energy[g];
-            own.fraction[place] = std::min(ratio * cell.fraction[g], 1.0);
-        }
-        if (fluid_count() > 1) fields.mass_of_groups[place] = mass;
-    }
-}
-
 void CutCells::begin(const BoxCuts& cuts)
 {
     clear();
@@ -241,6 +229,8 @@ void CutCells::begin(const BoxCuts& cuts)
     const std::size_t cut_cells = cells_.size();
     for (std::size_t n = 0; n < cut_cells; ++n)
         if (cells_[n].open < least_open) join(static_cast<Index>(n), cuts);
+    take_in_beside_light_nodes(cuts);
+    spare_light_nodes_from(0);
     for (std::size_t n = 0; n < cells_.size(); ++n) {
         Cell& cell = cells_[n];
         if (cell.parent != none) continue;
@@ -301,10 +291,7 @@ double CutCells::filled_beyond(const Cell& cell, int side, double own) const
     const std::array<int, 3> index = beyond(cell, side);
     if (!in_box(index) || faces_[cell.face[side]].open < 0.02) return own;
     const std::ptrdiff_t place = fluid_.grid.at(index[0], index[1], index[2]);
-    if (entry_[place] != none) return groups_[cells_[entry_[place]].group].filled;
-    double sum = 0;
-    for (const GroupFields& group : fluid_.fields.groups) sum += group.fraction[place];
-    return sum;
+    return entry_[place] != none ? groups_[cells_[entry_[place]].group].filled : filled_share(place);
 }
 
 double CutCells::openness_of(const Cell& cell, double own) const
@@ -401,7 +388,7 @@ double CutCells::stable_step() const
 
 void CutCells::end(const BoxCuts& cuts)
 {
-    const std::size_t before = cells_.size();
+    const std::size_t before = cells_.size(), faces_before = faces_.size();
     for (std::size_t n = 0; n < before; ++n) {
         Cell& cell = cells_[n];
         cell.next = cuts.open_share(cell.index[0], cell.index[1], cell.index[2]);
@@ -425,6 +412,7 @@ void CutCells::end(const BoxCuts& cuts)
             parent.next = cuts.open_share(parent.index[0], parent.index[1], parent.index[2]);
         }
     }
+    spare_light_nodes_from(faces_before);
     for (std::size_t n = before; n < cells_.size(); ++n) {
         const Index of = cells_[root(static_cast<Index>(n))].group;
         cells_[n].group = of;

@@ -2,6 +2,7 @@
 
 #include "ale/box_fluid.h"
 #include "ale/coupling/box_cuts.h"
+#include "ale/hydrostatic.h"
 
 namespace plash {
 
@@ -31,6 +32,10 @@ public:
         Vec3 middle{};       ///< where the pressure stands [length]
     };
 
+    /// For a fluid that starts at rest below a level: fills the wet parts of the cells that the surface cuts,
+    /// at the densities that they have, as exactly as cuts are known: what misses or is too much by a share e
+    /// is a pressure e K. Returns the largest share of a cell that had to come or go.
+    double fill_wet_parts(const BoxCuts& cuts, const StillLevel& level);
     /// For a structure that looks for its place beside fluid at rest: gives the cells that the surface cuts
     /// now as much fluid as their open parts have at the densities of the first call, so that the pressure
     /// stays that of the start.
@@ -105,11 +110,15 @@ private:
     struct Content {
         double mass = 0, energy = 0, volume = 0, share = 0;
     };
+    /// What a cell has of one fluid.
+    struct Filling {
+        double mass, energy, fraction;
+    };
     /// Fluid of a cell at rest, in its open part.
     struct Resting {
         std::array<int, 3> index;
         double open;
-        std::vector<double> mass, energy, fraction; ///< by fluid
+        std::vector<Filling> fluids;
     };
     struct Kept {
         std::ptrdiff_t place;
@@ -135,9 +144,15 @@ private:
     Content& content(Index group, int fluid) { return contents_[std::size_t(group) * fluid_count() + fluid]; }
     void clear();
     void keep_resting(const BoxCuts& cuts);
+    void fill(std::ptrdiff_t place, int fluid, const Filling& filling);
+    double filled_share(std::ptrdiff_t place) const;
     std::array<std::ptrdiff_t, 8> nodes_of(const Cell& cell) const;
     Index add_cell(const std::array<int, 3>& index, double open);
     Index add_face(int axis, const std::array<int, 3>& index);
+    bool is_pressed_alike(const Face& face) const;
+    std::array<double, 4> spared(const Face& face) const;
+    void take_in_beside_light_nodes(const BoxCuts& cuts);
+    void spare_light_nodes_from(std::size_t first_face);
     std::array<int, 3> beyond(const Cell& cell, int side) const;
     double fluid_at(std::ptrdiff_t node) const;
     bool in_box(const std::array<int, 3>& index) const;

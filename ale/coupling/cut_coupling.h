@@ -56,6 +56,7 @@ private:
     std::vector<Vec3> force_;          ///< by carrier of the triangles, on the structure at t_n [force]
     std::vector<Index> outside_entry_; ///< of each node of the fluid among its outside forces
     double work_on_structure_ = 0;
+    double refilled_ = 0; ///< largest share of a cell by which fluid at rest was fitted to the cuts
 
     const BoxCuts::Cell* gap() const;
     const CouplingOptions& options_of(Index triangle) const;

@@ -113,7 +113,9 @@ Unrest unrest_of(testing::EulerianRun& run)
                     unrest.water =
                         std::max(unrest.water, std::abs(component[place]) / clock.last_step / fall);
     });
-    EXPECT_TRUE(outcome.relaxation.converged);
+    const RelaxationOutcome& start = outcome.relaxation;
+    EXPECT_NEAR(start.fluid_acceleration, unrest.water, 1e-6 + 0.01 * unrest.water);
+    EXPECT_EQ(start.converged, std::max(unrest.structure, unrest.water) < bound);
     return unrest;
 }
 
@@ -188,14 +190,13 @@ TEST(StaticStart, StripHangsAsBeamTheorySays)
     EXPECT_NEAR(-run.scene->state.position.back().z, theory, 0.01 * theory);
 }
 
-// A rigid box without a lid floats in an Eulerian tank with its floor and walls on faces of cells. Measured:
-// box 1e-9 g, water 2e-6 g.
-TEST(StaticStart, BoxFloatsAtRest)
+/// A rigid box without a lid that floats in an Eulerian tank.
+/// off  by how much it stands beside faces of cells, along each axis [length]
+std::string floating_box(const Vec3& off, bool cut_cells, double level = 0.25, double end = 2e-5)
 {
-    const Threads one(1);
-    constexpr double side = 0.15, level = 0.25, low = 0.125, floor = 0.175;
+    constexpr double side = 0.15;
+    const Vec3 o = Vec3{0.125, 0.125, 0.175} + off, x{side, 0, 0}, y{0, side, 0}, z{0, 0, side};
     int first = 100000;
-    const Vec3 o{low, low, floor}, x{side, 0, 0}, y{0, side, 0}, z{0, 0, side};
     const auto patch = [&](Vec3 corner, Vec3 a, Vec3 b) {
         return testing::shell_patch(20, first, corner, a, b, 6, 6);
     };
@@ -204,19 +205,62 @@ TEST(StaticStart, BoxFloatsAtRest)
     shells += patch(o + x, y, z);
     shells += patch(o, x, z);
     shells += patch(o + y, z, x);
-    testing::EulerianRun run(
-        tank_of_cells() + "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n" +
-        fmt::format("5,0,1\n0,0,0,1,1,{}\n5,0,2\n{},{},{},{},{},1\n", level, low, low, floor, low + side,
-                    low + side) +
-        hydrostatic(level) +
-        fmt::format("*PART\nbox\n20,20,20\n*SECTION_SHELL\n20,2\n0.01,0.01,0.01,0.01\n"
-                    "*MAT_RIGID\n20,{},2e11,0.3\n1,4,7\n\n"
-                    "*CONSTRAINED_LAGRANGE_IN_SOLID\n20,10,1,1,2,4,2,1\n0,0,0.1,0,0.3,0,0,0.2\n",
-                    3000 * (level - floor) / side) +
-        shells + weight + statics + testing::closed(2e-5));
+    return tank_of_cells() + "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n" +
+           fmt::format("5,0,1\n0,0,0,1,1,{}\n5,0,2\n{},{},{},{},{},1\n", level, o.x, o.y, o.z, o.x + side,
+                       o.y + side) +
+           hydrostatic(level) +
+           fmt::format("*PART\nbox\n20,20,20\n*SECTION_SHELL\n20,2\n0.01,0.01,0.01,0.01\n"
+                       "*MAT_RIGID\n20,{},2e11,0.3\n1,4,7\n\n"
+                       "*CONSTRAINED_LAGRANGE_IN_SOLID\n20,10,1,1,2,4,2,1\n0,0,0.1,0,0.3,0,0,0.2\n",
+                       3000 * (level - o.z) / side) +
+           (cut_cells ? "*PLASH_ALE_FORMULATION\n0,1\n" : "") + shells + weight + statics +
+           testing::closed(end);
+}
+
+// With its floor and walls on faces of cells. Measured: box 1e-9 g, water 2e-6 g.
+TEST(StaticStart, BoxFloatsAtRest)
+{
+    const Threads one(1);
+    testing::EulerianRun run(floating_box({}, false));
     const Unrest unrest = unrest_of(run);
     EXPECT_LT(unrest.structure, bound);
     EXPECT_LT(unrest.water, bound);
+}
+
+// Its floor and walls anywhere in the cells that they cut, level or not with them: 0.4 of a cell beside their
+// faces, on their faces, and all but on them. Cuts are known to round-off, and so are the pressures.
+// Measured: box 2e-7 g; water 3e-8 to 7e-7 g, and after 200 cycles 2e-9 of a velocity (g times the time is
+// 0.02).
+TEST(StaticStart, BoxFloatsAtRestInCutCells)
+{
+    const Threads one(1);
+    const std::tuple<Vec3, double, double> cases[] = {{{0.01, 0.01, 0.01}, 0.25, 2e-3},
+                                                      {{0.01, 0.01, 0.01}, 0.24, 2e-5},
+                                                      {{}, 0.25, 2e-5},
+                                                      {{1e-4, -1e-5, 0.0124}, 0.255, 2e-5}};
+    for (const auto& [off, level, end] : cases) {
+        testing::EulerianRun run(floating_box(off, true, level, end));
+        const Unrest unrest = unrest_of(run);
+        EXPECT_LT(unrest.structure, 0.01 * bound);
+        EXPECT_LT(unrest.water, 0.01 * bound);
+        const FluidFields& fields = run.term<EulerianFluid>().fluid().fields;
+        const double heaviest = *std::max_element(fields.node_mass.begin(), fields.node_mass.end());
+        for (std::size_t place = 0; place < fields.node_mass.size(); ++place)
+            for (const AlignedDoubles& component : fields.velocity)
+                ASSERT_TRUE(std::abs(component[place]) < bound * fall * end ||
+                            fields.node_mass[place] < 1e-3 * heaviest);
+    }
+}
+
+// Springs hand the water's pressure to nodes by the places of their points: where edges and corners of a box
+// cut cells no pressures of these have such sums. The start says so.
+TEST(StaticStart, WaterThatDoesNotRestIsNamed)
+{
+    const Threads one(1);
+    testing::EulerianRun run(floating_box({0.01, 0.01, 0.01}, false));
+    const Unrest unrest = unrest_of(run);
+    EXPECT_LT(unrest.structure, bound);
+    EXPECT_GT(unrest.water, 1);
 }
 
 /// A tank of elastic walls, clamped along their edges, on a rigid floor, full of Eulerian water half a cell
