@@ -132,8 +132,9 @@ private:
     std::vector<Group> groups_;
     std::vector<Content> contents_; ///< by group and fluid
     std::vector<Kept> kept_;
-    std::vector<Resting> resting_; ///< only while a structure looks for its place
-    std::vector<Index> entry_;     ///< of cells, by storage place
+    std::vector<Resting> resting_;        ///< only while a structure looks for its place
+    std::vector<std::ptrdiff_t> slivers_; ///< likewise: those that had no fluid
+    std::vector<Index> entry_;            ///< of cells, by storage place
     std::array<std::vector<Index>, 3> face_entry_;
     std::vector<Index> by_size_; ///< cells from the smallest open share up
     std::vector<std::ptrdiff_t> touched_next_;
@@ -145,6 +146,7 @@ private:
     void clear();
     void keep_resting(const BoxCuts& cuts);
     void fill(std::ptrdiff_t place, int fluid, const Filling& filling);
+    double fill_slivers(const BoxCuts& cuts);
     double filled_share(std::ptrdiff_t place) const;
     std::array<std::ptrdiff_t, 8> nodes_of(const Cell& cell) const;
     Index add_cell(const std::array<int, 3>& index, double open);

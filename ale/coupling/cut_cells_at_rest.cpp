@@ -48,9 +48,36 @@ double CutCells::filled_share(std::ptrdiff_t place) const
     return sum;
 }
 
+/// Parts that stand open to fluid and have none, as the deck's filling or a surface that has gone a little
+/// way leaves them, are filled as the rest of their group. Returns the largest, as a share of a cell.
+double CutCells::fill_slivers(const BoxCuts& cuts)
+{
+    begin(cuts);
+    std::vector<double> room(groups_.size());
+    for (const Cell& cell : cells_)
+        if (filled_share(cell.place) > 0) room[cell.group] += cell.open * cell.volume;
+    double largest = 0;
+    for (const Cell& cell : cells_) {
+        if (cell.parent == none || !(cell.open > 0 && room[cell.group] > 0) || filled_share(cell.place) > 0)
+            continue;
+        const double part = cell.open * cell.volume / room[cell.group];
+        for (int g = 0; g < fluid_count(); ++g) {
+            const Content& own = content(cell.group, g);
+            fill(cell.place, g, {part * own.mass, part * own.energy, part * own.volume / cell.volume});
+        }
+        largest = std::max(largest, cell.open);
+        slivers_.push_back(cell.place);
+    }
+    clear();
+    return largest;
+}
+
 void CutCells::fill_at_rest(const BoxCuts& cuts)
 {
     if (resting_.empty()) keep_resting(cuts);
+    for (const std::ptrdiff_t place : slivers_)
+        for (int g = 0; g < fluid_count(); ++g) fill(place, g, {0, 0, 0});
+    slivers_.clear();
     for (const Resting& cell : resting_) {
         const std::ptrdiff_t place = fluid_.grid.at(cell.index[0], cell.index[1], cell.index[2]);
         const double ratio = cuts.open_share(cell.index[0], cell.index[1], cell.index[2]) / cell.open;
@@ -59,45 +86,28 @@ void CutCells::fill_at_rest(const BoxCuts& cuts)
             fill(place, g, {ratio * own.mass, ratio * own.energy, ratio * own.fraction});
         }
     }
+    fill_slivers(cuts);
 }
 
 double CutCells::fill_wet_parts(const BoxCuts& cuts, const StillLevel& level)
 {
     double largest = 0;
-    const auto wet_part = [&](const std::array<int, 3>& index, double open) {
-        const auto [i, j, k] = index;
-        const std::size_t number = i + fluid_.grid.cells(0) * (j + std::size_t(fluid_.grid.cells(1)) * k);
-        return open * level.wet_share(fluid_.cell(number));
-    };
     for (const BoxCuts::Cell& cut : cuts.cells()) {
-        const std::ptrdiff_t place = fluid_.grid.at(cut.index[0], cut.index[1], cut.index[2]);
+        const auto [i, j, k] = cut.index;
+        const std::ptrdiff_t place = fluid_.grid.at(i, j, k);
         const double filled = filled_share(place);
         if (!(filled > 0)) continue;
-        const double wet = wet_part(cut.index, cut.open), ratio = wet / filled;
+        const std::size_t number = i + fluid_.grid.cells(0) * (j + std::size_t(fluid_.grid.cells(1)) * k);
+        const double wet = cut.open * level.wet_share(fluid_.cell(number)), ratio = wet / filled;
         largest = std::max(largest, std::abs(wet - filled));
         for (int g = 0; g < fluid_count(); ++g) {
             const GroupFields& own = fluid_.fields.groups[g];
             fill(place, g, {ratio * own.mass[place], ratio * own.energy[place], ratio * own.fraction[place]});
         }
     }
-    // Slivers behind what the deck has filled stand open to it and are its own.
     fluid_.contents.update(fluid_.grid, fluid_.fields);
-    begin(cuts);
-    for (const Cell& cell : cells_) {
-        if (cell.parent == none || filled_share(cell.place) > 0) continue;
-        const double wet = wet_part(cell.index, cell.open);
-        double sum = 0;
-        for (int g = 0; g < fluid_count(); ++g) sum += content(cell.group, g).volume;
-        if (!(sum > 0)) continue;
-        largest = std::max(largest, wet);
-        for (int g = 0; g < fluid_count(); ++g) {
-            const Content& own = content(cell.group, g);
-            const double per_volume = own.volume > 0 ? wet * cell.volume / sum : 0;
-            fill(cell.place, g,
-                 {per_volume * own.mass, per_volume * own.energy, per_volume * own.volume / cell.volume});
-        }
-    }
-    clear();
+    largest = std::max(largest, fill_slivers(cuts));
+    slivers_.clear();   // from now on they are as all others
     held_axes_.clear(); // not known yet
     return largest;
 }
