@@ -1,3 +1,4 @@
+#include "ale/coupling/cut_coupling.h"
 #include "solver/fluids/translate.h"
 #include "tests/support/ale_deck.h"
 #include "tests/support/ale_samples.h"
@@ -191,8 +192,10 @@ TEST(StaticStart, StripHangsAsBeamTheorySays)
 }
 
 /// A rigid box without a lid that floats in an Eulerian tank.
-/// off  by how much it stands beside faces of cells, along each axis [length]
-std::string floating_box(const Vec3& off, bool cut_cells, double level = 0.25, double end = 2e-5)
+/// off   by how much it stands beside faces of cells, along each axis [length]
+/// room  between its sides and floor and the water of the deck's filling [length]
+std::string floating_box(const Vec3& off, bool cut_cells, double level = 0.25, double end = 2e-5,
+                         double room = 0)
 {
     constexpr double side = 0.15;
     const Vec3 o = Vec3{0.125, 0.125, 0.175} + off, x{side, 0, 0}, y{0, side, 0}, z{0, 0, side};
@@ -206,8 +209,8 @@ std::string floating_box(const Vec3& off, bool cut_cells, double level = 0.25, d
     shells += patch(o, x, z);
     shells += patch(o + y, z, x);
     return tank_of_cells() + "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n" +
-           fmt::format("5,0,1\n0,0,0,1,1,{}\n5,0,2\n{},{},{},{},{},1\n", level, o.x, o.y, o.z, o.x + side,
-                       o.y + side) +
+           fmt::format("5,0,1\n0,0,0,1,1,{}\n5,0,2\n{},{},{},{},{},1\n", level, o.x - room, o.y - room,
+                       o.z - room, o.x + side + room, o.y + side + room) +
            hydrostatic(level) +
            fmt::format("*PART\nbox\n20,20,20\n*SECTION_SHELL\n20,2\n0.01,0.01,0.01,0.01\n"
                        "*MAT_RIGID\n20,{},2e11,0.3\n1,4,7\n\n"
@@ -250,6 +253,20 @@ TEST(StaticStart, BoxFloatsAtRestInCutCells)
                 ASSERT_TRUE(std::abs(component[place]) < bound * fall * end ||
                             fields.node_mass[place] < 1e-3 * heaviest);
     }
+}
+
+// Water at rest reaches to the surface, though the deck's filling leaves 0.3 of a cell before it: the run
+// says so.
+TEST(StaticStart, WaterReachesToTheSurfaceThatCutsItsCells)
+{
+    const Threads one(1);
+    testing::EulerianRun run(floating_box({0.01, 0.01, 0.01}, true, 0.25, 2e-5, 0.3 * 0.025));
+    const std::vector<std::string> notices = run.term<CutCoupling>().notices(run.scene().state);
+    ASSERT_EQ(notices.size(), 2u);
+    EXPECT_NE(notices[1].find("differs from that by up to 0.51 "), std::string::npos) << notices[1];
+    EXPECT_LT(unrest_of(run).water, 0.01 * bound);
+    testing::EulerianRun fitting(floating_box({0.01, 0.01, 0.01}, true));
+    EXPECT_EQ(fitting.term<CutCoupling>().notices(fitting.scene().state).size(), 1u);
 }
 
 // Springs hand the water's pressure to nodes by the places of their points: where edges and corners of a box
