@@ -63,7 +63,7 @@ void BoxContents::update(const BoxGrid& grid, const FluidFields& fields)
                     }
                     if (sum > 0) mask |= Mask(1u << group);
                 }
-                for (int lane = 0; lane < lanes; ++lane) mask |= fullest[lane] < 1 ? empty_space : Mask(0);
+                for (int lane = 0; lane < lanes; ++lane) mask |= fullest[lane] != 1 ? empty_space : Mask(0);
                 own_[place / lane_count] = mask;
             }
         }

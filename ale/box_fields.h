@@ -20,7 +20,8 @@ void mirror_fractions(const BoxGrid& grid, FluidFields& fields);
 class BoxContents {
 public:
     using Mask = std::uint16_t;
-    static constexpr Mask empty_space = 0x8000; ///< some cell is not full; the lower bits stand for groups
+    /// Some cell is not just full of one group; the lower bits stand for groups.
+    static constexpr Mask empty_space = 0x8000;
 
     BoxContents(const BoxGrid& grid, bool mixed);
 

@@ -90,6 +90,20 @@ struct GroupLine {
     Lane volume_below, volume_above; ///< of the group in the cells beside the face [volume]
 };
 
+/// The fraction of a full cell that a dry face closes (ale/fluid.h): so little void tells it from one that
+/// gives whatever leaves it, and is gone again with the first fluid that comes in.
+inline constexpr double marked_full = 1 - 5e-13;
+
+/// Fraction of a group after a sweep, without the round-off of what should be full. Only fluid that a dry
+/// face has kept in its cell takes more than the cell's volume.
+/// before  the fraction before the sweep
+template <class Lane>
+inline Lane settled_fraction(Lane before, Lane after)
+{
+    const auto kept = (before >= marked_full) & (before != 1.0) & (after > 1 + 1e-13);
+    return (after > 1 - 1e-13) & !kept ? broadcast<Lane>(1) : after;
+}
+
 /// What passes a face of a group, positive upward.
 template <class Lane>
 struct GroupFlux {
@@ -106,7 +120,7 @@ inline GroupFlux<Lane> partial_flux(const GroupLine<Lane>& line, Lane flux, Lane
                                     const LineWeights<Lane>& weights)
 {
     const auto upward = flux > 0.0;
-    const auto interface = (fraction > 0.0) & (fraction < 1.0);
+    const auto interface = (fraction > 0.0) & (fraction != 1.0);
     const Lane share = interface ? cut : fraction;
     const Lane available = upward ? line.volume_below : line.volume_above;
     const Lane donor_mass = upward ? line.mass.below : line.mass.above;

@@ -104,10 +104,11 @@ inline void deform_cells(FluidFields& fields, std::ptrdiff_t place, int only_gro
     }
     // Groups take the work in proportion to their shares of the change of volume; where none takes part
     // (enclosed void gives way alone) there is only viscous heat, and it goes by mass.
-    Lane shares{}, mass{};
+    Lane shares{}, mass{}, filled_before{};
     for (const GroupFields& group : fields.groups) {
         shares += load<Lane>(&group.share[place]);
         mass += load<Lane>(&group.mass[place]);
+        filled_before += load<Lane>(&group.fraction[place]);
     }
     const auto shared = shares > 0.0;
     const Lane weights = shared ? shares : mass;
@@ -123,12 +124,16 @@ inline void deform_cells(FluidFields& fields, std::ptrdiff_t place, int only_gro
         store(&group.fraction[place], max(fraction, Lane{}));
         filled += fraction;
     }
-    // Void that closes within the step leaves its cell full, and the rest of the squeeze to the fluid.
-    const Lane excess = filled > 1.0 ? 1.0 / filled : broadcast<Lane>(1);
+    // Void that closes within the step leaves its cell full, and the rest of the squeeze to the fluid. What
+    // dry faces have kept back keeps the volume that it has beyond that of the cell; sums of several groups
+    // have round-off.
+    const auto brimful = filled_before > (fields.groups.size() > 1 ? 1 + 1e-9 : 1.0);
+    const Lane excess = (filled > 1.0) & !brimful ? 1.0 / filled : broadcast<Lane>(1);
     for (GroupFields& group : fields.groups) {
         const Lane fraction = load<Lane>(&group.fraction[place]) * excess;
         // A full cell stays full to the last bit, whatever stands beside it in its batch.
-        store(&group.fraction[place], fraction > 1 - 1e-13 ? broadcast<Lane>(1) : fraction);
+        const auto full = (fraction > 1 - 1e-13) & (fraction < 1 + 1e-13);
+        store(&group.fraction[place], full ? broadcast<Lane>(1) : fraction);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "ale/fluid.h"
 
 #include "ale/absorbing_nodes.h"
+#include "ale/cell_flux.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,14 +55,11 @@ void Fluid::keep_ambient(std::vector<std::ptrdiff_t> places)
 
 void Fluid::close(const DryFace& face)
 {
-    // A full cell gives whatever leaves it: shares count only where there is an interface. So little void is
-    // one, and is gone again with the first fluid that comes in.
-    constexpr double nearly_full = 1 - 5e-13;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         if (!(face.fluids >> g & 1)) continue;
         GroupFields& own = fields.groups[g];
-        if (own.fraction[face.cell] >= 1) {
-            own.fraction[face.cell] = nearly_full;
+        if (own.fraction[face.cell] == 1) { // it gives whatever leaves it, without a look at shares
+            own.fraction[face.cell] = marked_full;
             for (AlignedDoubles& side : own.share_of_outflow) side[face.cell] = 1;
         }
         own.share_of_outflow[face.side][face.cell] = 0;

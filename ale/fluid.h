@@ -40,7 +40,9 @@ struct OuterNode {
     Vec3 area{}; ///< outward, that the node has of the face; only without an axis [length^2]
 };
 
-/// A face behind a coupled surface: some fluids do not leave the cell through it.
+/// A face behind a coupled surface: some fluids do not leave the cell through it. What moves through it while
+/// the cell is full stands behind the surface, as deep as its springs are, and is kept as volume beyond that
+/// of the cell: given back for nothing, the pressure would work on the springs without falling.
 struct DryFace {
     std::ptrdiff_t cell; ///< storage place
     int axis, side;      ///< of the cell

@@ -14,7 +14,7 @@ struct GroupFields {
     AlignedDoubles mass;   ///< [mass]
     AlignedDoubles energy; ///< internal [energy]
     /// Only in meshes where a cell may hold something else as well:
-    AlignedDoubles fraction; ///< share of the cell's volume [-]
+    AlignedDoubles fraction; ///< share of the cell's volume; above 1 beside dry faces (ale/fluid.h) [-]
     AlignedDoubles share;    ///< share that the group takes of a change of the cell's volume [-]
     /// Share of the group in what leaves a cell through its lower and its upper face of the present sweep
     /// [-]; set where the cell holds an interface.

@@ -113,7 +113,7 @@ Lane fill_enclosed_void(Mixture<Lane>& mix, Equilibrium<Lane>& state, std::size_
     const Lane per_compliance = state.compliance > 0.0 ? gain / state.compliance : Lane{};
     for (std::size_t g = 0; g < count; ++g) {
         mix.fraction[g] += per_compliance * (mix.fraction[g] / state.stiffness[g]);
-        if (count == 1) mix.fraction[g] = fills ? broadcast<Lane>(1) : mix.fraction[g];
+        if (count == 1) mix.fraction[g] = fills ? max(mix.fraction[g], broadcast<Lane>(1)) : mix.fraction[g];
     }
     state.common -= per_compliance;
     mix.filled = fills ? broadcast<Lane>(1) : mix.filled + gain;

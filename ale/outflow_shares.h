@@ -125,7 +125,8 @@ inline void share_outflow(FluidFields& fields, Place place, int axis, Lane lower
     for (int group = 0; group < groups; ++group) {
         const FirstGroups first{fields, group + 1};
         const Lane fraction = first.template at<Lane>(place);
-        SlabShares<Lane> shares{fraction, fraction};
+        const Lane inside = min(fraction, broadcast<Lane>(1));
+        SlabShares<Lane> shares{inside, inside};
         const auto cut = (fraction > 0.0) & (fraction < 1.0);
         if (any(cut)) {
             const SlabShares<Lane> by_plane =

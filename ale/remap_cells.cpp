@@ -272,15 +272,14 @@ private:
                 total += own_mass;
                 continue;
             }
-            const Lanes own_volume = load<Lanes>(&own.fraction[place]) * before + gain(group, volume_flux);
+            const Lanes old_fraction = load<Lanes>(&own.fraction[place]);
+            const Lanes own_volume = old_fraction * before + gain(group, volume_flux);
             // Round-off of what should be nothing, or full.
             const auto has = (own_mass > 0.0) & (own_volume > 1e-14 * after);
             const Lanes fraction = own_volume / after;
             store(&own.mass[place], has ? own_mass : Lanes{});
             store(&own.energy[place], has ? own_energy : Lanes{});
-            store(&own.fraction[place], !has                   ? Lanes{}
-                                        : fraction > 1 - 1e-13 ? broadcast<Lanes>(1)
-                                                               : fraction);
+            store(&own.fraction[place], has ? settled_fraction(old_fraction, fraction) : Lanes{});
             total += has ? own_mass : Lanes{};
         }
         if (groups_ > 1) store(&fields_.mass_of_groups[place], total);

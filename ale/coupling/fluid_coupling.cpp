@@ -163,6 +163,20 @@ void FluidCoupling::serialise(Archive& archive)
             active_.push_back(static_cast<Index>(point));
 }
 
+/// Where a point lies. On a face between two cells, which is where walls stand in a mesh that fits them, it
+/// lies in the one on the fluid's side, whatever round-off says: that one holds its fluid.
+MeshPoint FluidCoupling::place_before(const Touch& touch, const std::array<int, 3>& guess) const
+{
+    constexpr double round_off = 1e-9;
+    const Fluid& fluid = fluid_.fluid();
+    const MeshPoint at = fluid.locate(touch.position, guess);
+    if (at.inside && std::all_of(at.part.begin(), at.part.end(),
+                                 [](double part) { return part > round_off && part < 1 - round_off; }))
+        return at;
+    const double length = at.inside ? length_along(fluid.edges(at), touch.normal) : std::sqrt(touch.area);
+    return fluid.locate(touch.position + 2 * round_off * length * touch.normal, at.inside ? at.cell : guess);
+}
+
 void FluidCoupling::look(std::size_t point, const State& state)
 {
     Touch& touch = touches_[point];
@@ -172,7 +186,7 @@ void FluidCoupling::look(std::size_t point, const State& state)
     touch.normal = ((options_.turned ? -1 : 1) / touch.area) * motion.area;
     touch.position = motion.position + points_.half_thickness(point) * touch.normal;
     const Fluid& fluid = fluid_.fluid();
-    const MeshPoint at = touch.place = fluid.locate(touch.position, cell_[point]);
+    const MeshPoint at = touch.place = place_before(touch, cell_[point]);
     if (!at.inside) return;
     cell_[point] = at.cell;
     // A point that holds fluid lets it go later than it took it: what has come through would be lost with the
@@ -275,31 +289,49 @@ void FluidCoupling::limit_stiffness(const State& state)
         for_corners(point, [&](Index node, double) { structure_load_[node] = 0; });
 }
 
-/// How far fluid stands behind the surface at a point as the volumes say, where they say anything [length].
-std::optional<double> FluidCoupling::depth_behind(const Touch& touch) const
+/// How much further behind the surface fluid stands around a point than its springs know, as the volumes say,
+/// where they say anything [length].
+std::optional<double> FluidCoupling::unknown_depth(const Touch& touch) const
 {
     if (present_.empty()) return {};
-    return interface_depth_.behind(fluid_.fluid(), {touch.place, touch.position, touch.normal},
-                                   options_.fluids);
+    return interface_depth_.unknown(fluid_.fluid(), {touch.place, touch.position, touch.normal},
+                                    options_.fluids);
+}
+
+/// Tells the volumes how deep the springs are.
+void FluidCoupling::sum_depths()
+{
+    if (present_.empty()) return;
+    for (const Index point : active_) {
+        const Touch& touch = touches_[point];
+        interface_depth_.count(fluid_.fluid(), {touch.place, touch.position, touch.normal}, touch.area,
+                               penetration_[point]);
+    }
 }
 
 /// Penetrations tend to what the volumes of the fluid say: in the time in which sound crosses 50 cells where
 /// the fluid stands further behind, and ten times as slowly where it stands less far, so that the pressures
 /// of an impact stay. A surface neither pulls a fluid that has not come up to it, nor lets one go that it
-/// pulls.
+/// pulls. Springs and volumes see the same waves from slightly different places, and a correction that
+/// followed them would feed them: a hundredth of a cell is what fractions do not tell.
 void FluidCoupling::correct_depth(std::size_t point, const Clock& clock)
 {
     const Touch& touch = touches_[point];
     double& depth = penetration_[point];
-    std::optional<double> behind = depth_behind(touch);
-    if (behind && !rest_depth_.empty()) *behind += rest_depth_[point];
-    if (behind) {
-        const double wanted = depth > 0 ? std::max(*behind, 0.0) : std::min(*behind, 0.0);
+    const Fluid& fluid = fluid_.fluid();
+    const double untold = 0.01 * length_along(fluid.edges(touch.place), touch.normal);
+    if (std::optional<double> unknown = unknown_depth(touch)) {
+        if (!rest_depth_.empty()) *unknown += rest_depth_[point];
+        const double behind = depth + *unknown - std::clamp(*unknown, -untold, untold);
+        const double wanted = depth > 0 ? std::max(behind, 0.0) : std::min(behind, 0.0);
         const double cells_of_sound = wanted > depth ? 50 : 500;
         depth += std::min(touch.sound_rate * clock.last_step / cells_of_sound, 1.0) * (wanted - depth);
+        // What the springs know is no leak: it holds the pressure.
+        depth += options_.leak_control * std::max(*unknown - untold, 0.0);
+    } else if (touch.excess > 0) {
+        const std::optional<double> known = interface_depth_.mean_depth(fluid.place_of(touch.place));
+        if (known) depth += options_.leak_control * std::max(touch.excess - *known - untold, 0.0);
     }
-    if (options_.leak_control > 0)
-        depth += options_.leak_control * (behind ? std::max(*behind, 0.0) : touch.excess);
 }
 
 /// Pressure of a fluid at rest on the surface at a point [pressure]: that of the cell before it, and along
@@ -334,7 +366,6 @@ void FluidCoupling::rest_on(std::size_t point, const Vec3& gravity)
     touch.pressing = touch.area * pressure_before(touch, gravity);
     slip_[point] = {};
     penetration_[point] = touch.stiffness > 0 ? touch.pressing / touch.stiffness : 0;
-    if (!rest_depth_.empty()) rest_depth_[point] = penetration_[point] - depth_behind(touch).value_or(0);
 }
 
 void FluidCoupling::stretch(std::size_t point, const Clock& clock)
@@ -346,11 +377,15 @@ void FluidCoupling::stretch(std::size_t point, const Clock& clock)
         const std::ptrdiff_t place = touch.at.place[corner];
         touch.approach -= touch.at.weight[corner] * Vec3{v[0][place], v[1][place], v[2][place]};
     }
-    const double normal_speed = dot(touch.approach, touch.normal);
-    double& depth = penetration_[point];
-    depth += normal_speed * clock.last_step;
+    penetration_[point] += dot(touch.approach, touch.normal) * clock.last_step;
+}
+
+void FluidCoupling::load_spring(std::size_t point, const Clock& clock)
+{
     correct_depth(point, clock);
-    touch.pressing = touch.stiffness * depth + touch.damper * normal_speed;
+    Touch& touch = touches_[point];
+    const double depth = penetration_[point];
+    touch.pressing = touch.stiffness * depth + touch.damper * dot(touch.approach, touch.normal);
     if (options_.pressure_curve != none)
         touch.pressing = touch.area * curve_value(model_, options_.pressure_curve, depth);
 }
@@ -483,6 +518,16 @@ void FluidCoupling::add_forces(const Clock& clock, State& state)
                 rest_on(active_[entry], {gravity[0], gravity[1], gravity[2]});
             else
                 stretch(active_[entry], clock);
+        }
+    });
+    sum_depths();
+    for_chunks(active_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t entry = begin; entry < end; ++entry) {
+            const Index point = active_[entry];
+            if (!rests)
+                load_spring(point, clock);
+            else if (!rest_depth_.empty())
+                rest_depth_[point] = -unknown_depth(touches_[point]).value_or(0);
         }
     });
     if (options_.direction == Direction::compression) separate();

@@ -56,8 +56,8 @@ private:
 
     std::vector<Touch> touches_;
     std::vector<double> penetration_; ///< of each point along its normal [length]
-    /// Of points that started with the pressure of a fluid at rest, how much deeper they were then than the
-    /// volumes of the fluid say [length]; empty without a hydrostatic start.
+    /// Of points that started with the pressure of a fluid at rest, how much deeper those around were then
+    /// than the volumes of the fluid say [length]; empty without a hydrostatic start.
     std::vector<double> rest_depth_;
     std::vector<Vec3> slip_;               ///< and across it, where that is held [length]
     std::vector<Vec3> force_;              ///< on the structure at each point at t_n [force]
@@ -79,6 +79,7 @@ private:
 
     bool is_near(std::size_t segment, const State& state) const;
     void find_near(const Clock& clock, const State& state);
+    MeshPoint place_before(const Touch& touch, const std::array<int, 3>& guess) const;
     void look(std::size_t point, const State& state);
     void list_active();
     double fraction_before(const Touch& touch) const;
@@ -90,7 +91,9 @@ private:
     double pressure_before(const Touch& touch, const Vec3& gravity) const;
     void rest_on(std::size_t point, const Vec3& gravity);
     void stretch(std::size_t point, const Clock& clock);
-    std::optional<double> depth_behind(const Touch& touch) const;
+    std::optional<double> unknown_depth(const Touch& touch) const;
+    void sum_depths();
+    void load_spring(std::size_t point, const Clock& clock);
     void correct_depth(std::size_t point, const Clock& clock);
     void separate();
     void press(std::size_t point, const Clock& clock);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 namespace plash {
 
@@ -107,20 +108,18 @@ void InterfaceDepth::collect(const Fluid& fluid, const std::vector<Point>& point
     cells_.clear();
     for (const Index number : asking) {
         const Point& point = points[number];
+        need(fluid.place_of(point.place));
         const RowAxis row = row_axis(fluid.edges(point.place), point.normal);
         if (!tells(row) || !full_before(fluid, point, row, fluids)) continue;
-        need(fluid.place_of(point.place));
         need(fluid.cell_beyond(point.place, row.axis, row.cosine > 0 ? 0 : 1));
     }
     if (cells_.empty()) return;
-    for (const Point& point : points) {
+    for (const Index number : asking) {
+        const Point& point = points[number];
         const Index entry = entry_[fluid.place_of(point.place)];
         if (entry == none) continue;
         Cell& cell = cells_[entry];
-        // A surface that is bent a little is one plane.
-        const auto end = cell.planes.begin() + std::min(cell.count, most_planes);
-        const auto same = [&](const Point* plane) { return dot(plane->normal, point.normal) > 0.9; };
-        if (cell.count > most_planes || std::any_of(cell.planes.begin(), end, same)) continue;
+        if (cell.count > most_planes || plane_of(cell, point.normal) >= 0) continue;
         if (cell.count < most_planes) cell.planes[cell.count] = &point;
         ++cell.count;
     }
@@ -130,6 +129,44 @@ void InterfaceDepth::collect(const Fluid& fluid, const std::vector<Point>& point
     }
 }
 
+/// A surface that is bent a little is one plane. Negative: another one.
+int InterfaceDepth::plane_of(const Cell& cell, const Vec3& normal)
+{
+    for (int plane = 0; plane < std::min(cell.count, most_planes); ++plane)
+        if (dot(cell.planes[plane]->normal, normal) > 0.9) return plane;
+    return -1;
+}
+
+void InterfaceDepth::count(const Fluid& fluid, const Point& point, double area, double depth)
+{
+    const Index entry = entry_[fluid.place_of(point.place)];
+    if (entry == none) return;
+    Cell& cell = cells_[entry];
+    const int plane = plane_of(cell, point.normal);
+    if (plane < 0) return;
+    cell.area[plane] += area;
+    cell.swept += area * depth;
+}
+
+std::optional<double> InterfaceDepth::mean_depth(std::ptrdiff_t place) const
+{
+    const Cell* cell = cell_at(place);
+    if (!cell || cell->count != 1 || !(cell->area[0] > 0)) return {};
+    return cell->swept / cell->area[0];
+}
+
+std::optional<double> InterfaceDepth::unknown(const Fluid& fluid, const Point& point, unsigned fluids) const
+{
+    const std::optional<double> own = behind(fluid, point, fluids);
+    if (!own) return {};
+    const Cell& cell = *cell_at(fluid.place_of(point.place));
+    const double all = std::accumulate(cell.area.begin(), cell.area.end(), 0.0);
+    const int plane = plane_of(cell, point.normal);
+    if (plane < 0 || !(all > 0)) return {};
+    return (cell.area[plane] * *own - cell.swept) / all;
+}
+
+/// At a point, as the volumes say, negative where the fluid has not come up to the surface [length].
 std::optional<double> InterfaceDepth::behind(const Fluid& fluid, const Point& point, unsigned fluids) const
 {
     if (cells_.empty()) return {};
@@ -144,7 +181,8 @@ std::optional<double> InterfaceDepth::behind(const Fluid& fluid, const Point& po
     const std::ptrdiff_t before = fluid.cell_beyond(point.place, axis, ahead);
     const std::ptrdiff_t beyond = fluid.cell_beyond(point.place, axis, 1 - ahead);
     if (before < 0) return {};
-    const double full = filled_share(fluid, before, fluids);
+    // What dry faces keep back in the cell before stands behind other planes.
+    const double full = std::min(filled_share(fluid, before, fluids), 1.0);
     if (full < least_full) return {};
     const Cell& own = *cell_at(place);
     const Cell* last = cell_at(beyond);

@@ -24,9 +24,15 @@ public:
     /// asking  numbers of the points at which behind() will be asked
     void collect(const Fluid& fluid, const std::vector<DryFaces::Point>& points,
                  const std::vector<Index>& asking, unsigned fluids);
-    /// At one of those points, negative where the fluid has not come up to the surface [length]; nothing
-    /// where the cells do not tell. fluids  bit g for fluid g
-    std::optional<double> behind(const Fluid& fluid, const DryFaces::Point& point, unsigned fluids) const;
+    /// Mean depth of the springs in a cell that one plane passes [length].
+    std::optional<double> mean_depth(std::ptrdiff_t place) const;
+    /// Takes the spring of a point into account. After collect().
+    void count(const Fluid& fluid, const DryFaces::Point& point, double area, double depth);
+    /// How much further the interface stands behind than the springs in the cell of the point know, all
+    /// planes taken together: a cell along an edge of the structure does not tell which of them its fluid
+    /// stands behind. Negative where it stands less far [length]; nothing where the cells do not tell.
+    /// fluids  bit g for fluid g
+    std::optional<double> unknown(const Fluid& fluid, const DryFaces::Point& point, unsigned fluids) const;
 
 private:
     static constexpr int most_planes = 3;
@@ -34,12 +40,16 @@ private:
         std::array<const DryFaces::Point*, most_planes> planes{};
         int count = 0;     ///< of planes; more than fit: most_planes + 1
         double before = 0; ///< share of the cell that lies before the surface; negative: unknown
+        std::array<double, most_planes> area{}; ///< of the springs of each plane [length^2]
+        double swept = 0;                       ///< sum of depth times area of all springs [length^3]
     };
     std::vector<Index> entry_; ///< of each cell in cells_, by storage place
     std::vector<std::ptrdiff_t> places_;
     std::vector<Cell> cells_;
 
     void need(std::ptrdiff_t place);
+    std::optional<double> behind(const Fluid& fluid, const DryFaces::Point& point, unsigned fluids) const;
+    static int plane_of(const Cell& cell, const Vec3& normal);
     const Cell* cell_at(std::ptrdiff_t place) const
     {
         return place < 0 || entry_[place] == none ? nullptr : &cells_[entry_[place]];

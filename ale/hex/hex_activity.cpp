@@ -88,7 +88,7 @@ void HexActivity::look(const FluidFields& fields, bool at_all)
                 if (sum > 0) mask |= Mask(1u << group);
             }
             for (std::size_t lane = 0; lane < lanes; ++lane)
-                if (fullest[lane] < 1) mask |= BoxContents::empty_space;
+                if (fullest[lane] != 1) mask |= BoxContents::empty_space;
             own_[first / lane_count] = mask;
         }
     });

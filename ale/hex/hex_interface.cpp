@@ -83,7 +83,7 @@ void HexFluid::find_outflow_shares(const HexSweep& sweep)
             if (BoxContents::nothing(mask) || BoxContents::pure(mask)) continue;
             double fullest = 0;
             for (const GroupFields& group : fields.groups) fullest = std::max(fullest, group.fraction[cell]);
-            if (fullest == 0 || fullest >= 1) continue;
+            if (fullest == 0 || fullest == 1) continue;
             const double per_volume = 1 / fields.volume[cell];
             const double low = volume_flux_[mesh.cell_faces[cell][2 * axis]];
             const double high = volume_flux_[mesh.cell_faces[cell][2 * axis + 1]];

@@ -154,17 +154,15 @@ void HexFluid::move_cells(const HexSweep& sweep, int direction)
                     scatter(own.energy.data(), cells, energy);
                     continue;
                 }
-                const Lanes volume = gather(own.fraction.data(), cells) * before + gain(scratch.volume_flux);
+                const Lanes old_fraction = gather(own.fraction.data(), cells);
+                const Lanes volume = old_fraction * before + gain(scratch.volume_flux);
                 // Round-off of what should be nothing, or full.
                 const auto has = (mass > 0.0) & (volume > 1e-14 * after);
                 const Lanes fraction = volume / after;
                 const Lanes kept = has ? mass : Lanes{};
                 scatter(own.mass.data(), cells, kept);
                 scatter(own.energy.data(), cells, has ? energy : Lanes{});
-                scatter(own.fraction.data(), cells,
-                        !has                   ? Lanes{}
-                        : fraction > 1 - 1e-13 ? broadcast<Lanes>(1)
-                                               : fraction);
+                scatter(own.fraction.data(), cells, has ? settled_fraction(old_fraction, fraction) : Lanes{});
                 total += kept;
             }
             if (groups.size() > 1) scatter(fields.mass_of_groups.data(), cells, total);
