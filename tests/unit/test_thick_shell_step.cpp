@@ -155,6 +155,34 @@ TEST_P(ThickShellStep, LinearMotionGivesOneStressOnAnyShape)
     }
 }
 
+/// Fibres across the thickness that lean to one side at one end of the element and to the other side at the
+/// other are held by nothing but bending, 4 / 3 E (h / L)^2: pressure through the thickness may not push
+/// them.
+TEST_P(ThickShellStep, PressureThroughTheThicknessTurnsNoFibres)
+{
+    const auto [columns, solid] = GetParam();
+    const ThickShellSettings settings = thick_settings(columns, solid);
+    ThickElement element(1, 0);
+    constexpr double a[] = {0, 1, 1, 0, 0, 1, 1, 0}, b[] = {0, 0, 1, 1, 0, 0, 1, 1},
+                     c[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    for (int i = 0; i < 8; ++i) {
+        const double lean = (2 * b[i] - 1) * (2 * c[i] - 1);
+        element.corner[i] = {4 * a[i], 2 * b[i] + 0.02 * lean, 0.04 * c[i]};
+        element.velocity[i] = {};
+    }
+    std::vector<double> history(thick_history(settings));
+    for (int point = 0; point < columns * settings.rule.size(); ++point)
+        history[first_thick_point + point * thick_point_size<ThickLaw> + 2] = -1;
+    const auto result = thick_step<double>(solid, thick_steel(1e9), settings, element.place(),
+                                           element.motion(), 1e-9, history, element.constants());
+    double across = 0;
+    for_corners(result.force, [&](int corner, const Vec3& force) {
+        EXPECT_NEAR(force.y, 0, 1e-12) << corner;
+        across += (2 * c[corner] - 1) * force.z;
+    });
+    EXPECT_NEAR(across, 2 * 4 * 2, 1e-9); // the pressure on both faces
+}
+
 TEST_P(ThickShellStep, LanesEqualTheScalarReference)
 {
     const auto [columns, solid] = GetParam();
