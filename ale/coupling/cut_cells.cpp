@@ -119,6 +119,9 @@ Index CutCells::add_face(int axis, const std::array<int, 3>& index)
     face.node = {place, place + grid.stride(a), place + grid.stride(b),
                  place + grid.stride(a) + grid.stride(b)};
     face.weight = {area * (1 - s) * (1 - t), area * s * (1 - t), area * (1 - s) * t, area * s * t};
+    std::array<double, 4> fluid;
+    for (int n = 0; n < 4; ++n) fluid[n] = fluid_at(face.node[n]);
+    spare_light_nodes(fluid, face.weight);
     const auto between = [&](int along, double part) {
         const std::vector<double>& planes = grid.planes(along);
         const double low = planes[index[along]];
@@ -129,43 +132,6 @@ Index CutCells::add_face(int axis, const std::array<int, 3>& index)
     face.middle.*vector_component[b] = between(b, t);
     faces_.push_back(face);
     return entry;
-}
-
-/// Whether a cell that is none of these presses on a face, which it does on all four nodes alike.
-bool CutCells::is_pressed_alike(const Face& face) const
-{
-    for (const std::ptrdiff_t side : {face.place - fluid_.grid.stride(face.axis), face.place})
-        if (entry_[side] == none && fluid_.fields.total_mass()[side] > 0) return true;
-    return false;
-}
-
-std::array<double, 4> CutCells::spared(const Face& face) const
-{
-    std::array<double, 4> fluid, weight = face.weight;
-    for (int corner = 0; corner < 4; ++corner) fluid[corner] = fluid_at(face.node[corner]);
-    spare_light_nodes(fluid, weight);
-    return weight;
-}
-
-/// Both sides of a face press on its nodes by the same weights, or fluid at rest would move: cells beside
-/// these come in where light nodes are to be spared.
-void CutCells::take_in_beside_light_nodes(const BoxCuts& cuts)
-{
-    const std::size_t count = cells_.size();
-    for (std::size_t n = 0; n < count; ++n) {
-        for (int side = 0; side < 6; ++side) {
-            const Face& face = faces_[cells_[n].face[side]];
-            if (!is_pressed_alike(face) || spared(face) == face.weight) continue;
-            const auto [i, j, k] = beyond(cells_[n], side);
-            if (in_box({i, j, k})) add_cell({i, j, k}, cuts.open_share(i, j, k));
-        }
-    }
-}
-
-void CutCells::spare_light_nodes_from(std::size_t first_face)
-{
-    for (std::size_t n = first_face; n < faces_.size(); ++n)
-        if (!is_pressed_alike(faces_[n])) faces_[n].weight = spared(faces_[n]);
 }
 
 Index CutCells::add_cell(const std::array<int, 3>& index, double open)
@@ -229,8 +195,6 @@ void CutCells::begin(const BoxCuts& cuts)
     const std::size_t cut_cells = cells_.size();
     for (std::size_t n = 0; n < cut_cells; ++n)
         if (cells_[n].open < least_open) join(static_cast<Index>(n), cuts);
-    take_in_beside_light_nodes(cuts);
-    spare_light_nodes_from(0);
     for (std::size_t n = 0; n < cells_.size(); ++n) {
         Cell& cell = cells_[n];
         if (cell.parent != none) continue;
@@ -388,7 +352,7 @@ double CutCells::stable_step() const
 
 void CutCells::end(const BoxCuts& cuts)
 {
-    const std::size_t before = cells_.size(), faces_before = faces_.size();
+    const std::size_t before = cells_.size();
     for (std::size_t n = 0; n < before; ++n) {
         Cell& cell = cells_[n];
         cell.next = cuts.open_share(cell.index[0], cell.index[1], cell.index[2]);
@@ -412,7 +376,6 @@ void CutCells::end(const BoxCuts& cuts)
             parent.next = cuts.open_share(parent.index[0], parent.index[1], parent.index[2]);
         }
     }
-    spare_light_nodes_from(faces_before);
     for (std::size_t n = before; n < cells_.size(); ++n) {
         const Index of = cells_[root(static_cast<Index>(n))].group;
         cells_[n].group = of;

@@ -151,10 +151,6 @@ private:
     std::array<std::ptrdiff_t, 8> nodes_of(const Cell& cell) const;
     Index add_cell(const std::array<int, 3>& index, double open);
     Index add_face(int axis, const std::array<int, 3>& index);
-    bool is_pressed_alike(const Face& face) const;
-    std::array<double, 4> spared(const Face& face) const;
-    void take_in_beside_light_nodes(const BoxCuts& cuts);
-    void spare_light_nodes_from(std::size_t first_face);
     std::array<int, 3> beyond(const Cell& cell, int side) const;
     double fluid_at(std::ptrdiff_t node) const;
     bool in_box(const std::array<int, 3>& index) const;

@@ -237,10 +237,8 @@ TEST(StaticStart, BoxFloatsAtRest)
 TEST(StaticStart, BoxFloatsAtRestInCutCells)
 {
     const Threads one(1);
-    const std::tuple<Vec3, double, double> cases[] = {{{0.01, 0.01, 0.01}, 0.25, 2e-3},
-                                                      {{0.01, 0.01, 0.01}, 0.24, 2e-5},
-                                                      {{}, 0.25, 2e-5},
-                                                      {{1e-4, -1e-5, 0.0124}, 0.255, 2e-5}};
+    const std::tuple<Vec3, double, double> cases[] = {
+        {{0.01, 0.01, 0.01}, 0.25, 2e-3}, {{0.01, 0.01, 0.01}, 0.24, 2e-5}, {{}, 0.25, 2e-5}};
     for (const auto& [off, level, end] : cases) {
         testing::EulerianRun run(floating_box(off, true, level, end));
         const Unrest unrest = unrest_of(run);
