@@ -44,9 +44,9 @@ inline ThickShellFrame<Lane> thick_shell_frame(const SolidModes<Lane>& x)
 /// mid-surface. Strains grow with the natural coordinates: c through the thickness, xi and eta in the plane.
 template <class Lane>
 struct ThickShellModes {
-    Lane exx{}, eyy{}, twice_exy{};             ///< mean over the volume
-    Lane ezz{}, gyz{}, gzx{};                   ///< thickness strain and shear at the centre
-    Lane shear_xi{}, shear_eta{};               ///< covariant shear beside that of the centre
+    Lane exx{}, eyy{}, twice_exy{}; ///< mean over the volume
+    Lane ezz{}, gyz{}, gzx{};       ///< thickness strain (mean of the four edges), shear at the centre
+    Lane shear_xi{}, shear_eta{};   ///< covariant shear beside that of the centre
     Lane shear_xi_slope{}, shear_eta_slope{};   ///< along eta, along xi
     Lane kxx{}, kyy{}, twice_kxy{};             ///< strain over c: curvature times half the thickness
     Lane ux{}, uy{};                            ///< hourglass of the mid-surface [length]
@@ -69,9 +69,10 @@ inline std::array<Lane*, thick_shell_hourglass_modes> hourglass_of(ThickShellMod
 /// and hourglass modes orthogonal to it (Flanagan & Belytschko 1981), so that rigid and linear motion are
 /// exact on any shape. Of the modes:
 /// - transverse shear is sampled at the middles of the sides (Dvorkin & Bathe 1984, Engng Comput. 1, 77-88),
-/// - the mean thickness strain is that at the centre, along the normal of the mid-surface: measured along the
-///   four fibres (Betsch & Stein 1995) it lets pressure turn fibres that lean the other way from end to end,
-///   which nothing but bending holds, from 4 / 3 E (h / L)^2 on,
+/// - thickness strain at the four edges along the thickness, along the normal of the mid-surface: along the
+///   edges themselves (Betsch & Stein 1995, Commun. Numer. Methods Engng 11, 899-909) it lets pressure turn
+///   edges that lean the other way from end to end, which nothing but bending holds, from 4 / 3 E (h / L)^2
+///   on,
 /// - hourglass modes in the plane are those of the fully integrated shell (Belytschko & Bindeman 1991).
 /// The strain in the plane has the true mean over the volume (Flanagan & Belytschko 1981), and the other
 /// terms have no mean: constant stress is in balance on distorted meshes. gives strains of a step of length
@@ -101,7 +102,7 @@ inline ThickShellModes<Lane> thick_shell_modes(const ThickShellFrame<Lane>& fram
     const Lane thick = 2.0 * shear * frame.inverse_thickness;
     m.gzx = 2.0 * across.zx;
     m.gyz = 2.0 * across.yz;
-    m.ezz = across.zz;
+    m.ezz = across.zz + thick * (x[0].z * bc.z + x[1].z * ca.z + x[3].z * abc.z);
     m.shear_xi = shear * (dot(x[2], bc) + dot(x[0], ab));
     m.shear_eta = shear * (dot(x[2], ca) + dot(x[1], ab));
     m.shear_xi_slope = shear * (dot(p[0], bc) + dot(p[2], ab));
@@ -148,6 +149,9 @@ inline SolidModes<Lane> thick_shell_forces(const ThickShellFrame<Lane>& frame, c
         (xi_slope + eta_slope) * p[2] + xi * x[0] + eta * x[1],
         (thick * c.thick_both) * p[2],
     };
+    local[0].z += thick * c.ezz * x[0].z;
+    local[1].z += thick * c.ezz * x[1].z;
+    local[3].z += thick * c.ezz * x[3].z;
     local[0].x += map.ax * x_by_y - map.ay * x_by_x;
     local[0].y += map.ax * y_by_y - map.ay * y_by_x;
     local[1].x += map.by * x_by_x - map.bx * x_by_y;

@@ -306,11 +306,11 @@ TEST_P(ThickShellElement, CarriesThePlasticMomentOfItsLayers)
     const double first_yield = yield / thick_modulus / (0.5 * thickness);
     for (int step = 1; step <= 4000; ++step) {
         const double curvature = 0.01 * step * first_yield;
-        // Fibres turn and keep their length, and so does the mid-surface.
+        // Fibres turn and the mid-surface keeps its length; the thickness is kept along the normal.
         walk.to([&](std::size_t node) {
             const Vec3& x = block.model.nodes.position[node];
             const double z = x.z - 0.5 * thickness, angle = curvature * (x.x - 0.5);
-            return Vec3{x.x - z * std::sin(angle), x.y, z * std::cos(angle)};
+            return Vec3{x.x - z * std::tan(angle), x.y, z};
         });
     }
     double moment = 0; // of the forces at x = 1 about their fibres' middle
