@@ -17,7 +17,9 @@ namespace {
 void show(const char* name, const FlatWedgeProfile& profile)
 {
     const auto [pressure, place] = profile.largest();
-    std::printf("largest pressure, intervals of %s: %.4f at %.3f\n", name, pressure, place);
+    const auto [at_root, root] = profile.largest(1.4);
+    std::printf("largest pressure, intervals of %s: %.4f at %.3f; near the root %.4f at %.3f\n", name,
+                pressure, place, at_root, root);
 }
 
 } // namespace

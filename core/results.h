@@ -263,9 +263,9 @@ struct ElementResults {
     struct AirbagState {
         Id airbag = 0;
         double volume = 0;
-        double pressure = 0;             ///< gauge [pressure]
-        double internal_energy = 0;      ///< [energy]
-        double inflow = 0, outflow = 0;  ///< [mass/time]
+        double pressure = 0;            ///< gauge [pressure]
+        double internal_energy = 0;     ///< [energy]
+        double inflow = 0, outflow = 0; ///< [mass/time]
         double mass = 0;
         double temperature = 0;
         double area = 0; ///< of the surface

@@ -75,14 +75,15 @@ public:
         pressure_[interval] += step * pressure;
         time_[interval] += step;
     }
-    /// The largest one over that of the similarity solution, and its place.
-    std::pair<double, double> largest() const
+    /// The largest one beyond a place over that of the similarity solution, and where it is.
+    std::pair<double, double> largest(double from = 0) const
     {
         double largest = 0, place = 0;
         for (std::size_t n = 0; n < time_.size(); ++n) {
-            if (time_[n] == 0 || pressure_[n] / time_[n] <= largest) continue;
+            const double here = (static_cast<double>(n) + 0.5) * width_;
+            if (here < from || time_[n] == 0 || pressure_[n] / time_[n] <= largest) continue;
             largest = pressure_[n] / time_[n];
-            place = (static_cast<double>(n) + 0.5) * width_;
+            place = here;
         }
         return {largest / (0.5 * FlatWedge::density * FlatWedge::speed * FlatWedge::speed) /
                     FlatWedge::exact_pressure,
