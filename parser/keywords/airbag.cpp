@@ -18,8 +18,19 @@ void refuse(const Record& record, std::initializer_list<std::pair<const char*, c
     }
 }
 
-/// The surface: a segment set (SIDTYP = 0), or the shells of a set of parts. `leak_share` gets FLC FAC of
-/// each segment's fabric.
+/// FLC FAC of a material: of *MAT_ADD_AIRBAG_POROSITY_LEAKAGE where it has one, else of *MAT_FABRIC [-].
+double leak_share_of(const Model& model, Index material)
+{
+    if (material == none) return 0;
+    const Record& own = model.materials[material];
+    for (const Record& added : model.others)
+        if (added.keyword == "MAT_ADD_AIRBAG_POROSITY_LEAKAGE" && added.integer("MID") == own.id)
+            return added.real("X2/FLC") * added.real("X3/FAC");
+    return own.keyword == "MAT_FABRIC" ? own.real("FLC/X2") * own.real("FAC/X3") : 0;
+}
+
+/// The surface: a segment set (SIDTYP = 0), or the shells of a set of parts. `leak_share` gets the share of
+/// each segment that leaks.
 bool read_surface(const Record& record, Airbag& bag, std::vector<double>& leak_share, Reading& reading)
 {
     const Model& model = reading.model;
@@ -41,10 +52,7 @@ bool read_surface(const Record& record, Airbag& bag, std::vector<double>& leak_s
         const Index part = model.shells.part[i];
         if (!wanted[part]) continue;
         bag.segments.push_back(model.shells.nodes[i]);
-        const Index material = model.parts[part].material;
-        const bool fabric = material != none && model.materials[material].keyword == "MAT_FABRIC";
-        leak_share.push_back(
-            fabric ? model.materials[material].real("FLC") * model.materials[material].real("FAC") : 0.0);
+        leak_share.push_back(leak_share_of(model, model.parts[part].material));
     }
     if (bag.segments.empty())
         reading.error(record, "SID", fmt::format("no part of set {} has shells", record.integer("SID")));

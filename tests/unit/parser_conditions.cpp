@@ -192,4 +192,24 @@ TEST(NodalMasses, OfASetAreSharedOut)
     for (double mass : model.masses.mass) EXPECT_DOUBLE_EQ(mass, 0.5);
 }
 
+// Two bags of four triangles each: the fabric's own FLC FAC, and that of *MAT_ADD_AIRBAG_POROSITY_LEAKAGE.
+TEST(ReadAirbags, FabricsLeakByTheirMaterial)
+{
+    const std::string deck =
+        "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*SECTION_SHELL\n1,9\n0.1,0.1,0.1,0.1\n"
+        "*MAT_FABRIC\n1,2.0,1.0,,,0.1\n,,,1.0\n,0.5,0.3\n*MAT_FABRIC\n2,2.0,1.0,,,0.1\n,,,1.0\n,0.5,0.3\n"
+        "*MAT_ADD_AIRBAG_POROSITY_LEAKAGE\n2,0.25,0.8\n"
+        "*PART\nfirst\n1,1,1\n*PART\nsecond\n2,1,2\n*SET_PART_LIST\n1\n1\n*SET_PART_LIST\n2\n2\n"
+        "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n"
+        "*ELEMENT_SHELL\n1,1,1,3,2,2\n2,1,1,2,4,4\n3,1,1,4,3,3\n4,1,2,3,4,4\n"
+        "5,2,1,3,2,2\n6,2,1,2,4,4\n7,2,1,4,3,3\n8,2,2,3,4,4\n"
+        "*AIRBAG_WANG_NEFSKE\n1,1\n700,1000,300\n\n1e5,1.2,,,,,1\n\n"
+        "*AIRBAG_WANG_NEFSKE\n2,1\n700,1000,300\n\n1e5,1.2,,,,,1\n\n*END\n";
+    const ReadResult result = read_text(deck);
+    EXPECT_EQ(errors_of(result), "");
+    ASSERT_EQ(result.model.airbags.size(), 2u);
+    EXPECT_EQ(std::get<VentedGas>(result.model.airbags[0].content).leak_share, std::vector<double>(4, 0.15));
+    EXPECT_EQ(std::get<VentedGas>(result.model.airbags[1].content).leak_share, std::vector<double>(4, 0.2));
+}
+
 } // namespace plash

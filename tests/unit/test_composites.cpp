@@ -328,4 +328,40 @@ TEST(Fabric, CarriesNoCompressionAndTightensAgain)
     EXPECT_NEAR(point.stress.xx, 1, 1e-13);
 }
 
+// A tenth of the thickness is an isotropic liner: 0.9 of the fabric's stress, which knows no compression, and
+// 0.1 E / (1 - nu^2) (e_a + nu e_b), which does.
+TEST(Fabric, LinerBearsCompression)
+{
+    constexpr double el = 20, prl = 0.35, share = 0.1;
+    const auto law = Fabric::from_record(make_record("MAT_FABRIC", {{"RO", 1},
+                                                                    {"EA", 100},
+                                                                    {"EB", 60},
+                                                                    {"PRBA", 0.2},
+                                                                    {"GAB", 30},
+                                                                    {"CSE", 1},
+                                                                    {"EL", el},
+                                                                    {"PRL", prl},
+                                                                    {"LRATIO", share}}),
+                                         Model{});
+    SymmetricTensor<double> stress{};
+    std::array<double, Fabric::history_size> history{};
+    const auto strain = [&](double a, double b, double twice_ab) {
+        SymmetricTensor<double> increment{a, b, 0, 0.5 * twice_ab, 0, 0};
+        law.update_plane_stress(stress, increment, HistoryView<double>{history.data()}, 1);
+    };
+    const double plane = el / (1 - prl * prl), shear = el / (2 * (1 + prl));
+    strain(-0.03, -0.02, 0.002);
+    EXPECT_NEAR(stress.xx, share * plane * (-0.03 + prl * -0.02), 1e-14);
+    EXPECT_NEAR(stress.yy, share * plane * (-0.02 + prl * -0.03), 1e-14);
+    EXPECT_NEAR(stress.xy, share * shear * 0.002, 1e-14);
+    strain(0.04, 0.04, -0.002); // taut: 0.01, 0.02
+    const double coupling = 1 - 0.2 * 0.2 * 100 / 60.0;
+    EXPECT_NEAR(stress.xx,
+                0.9 * (100 * 0.01 + 0.2 * 100 * 0.02) / coupling + share * plane * (0.01 + prl * 0.02),
+                1e-13);
+    EXPECT_NEAR(stress.yy,
+                0.9 * (60 * 0.02 + 0.2 * 100 * 0.01) / coupling + share * plane * (0.02 + prl * 0.01), 1e-13);
+    EXPECT_NEAR(law.largest_modulus(), 0.9 * 100 / coupling + share * plane, 1e-12);
+}
+
 } // namespace plash
