@@ -192,6 +192,29 @@ struct PressureLoad {
     Location where;
 };
 
+/// *LOAD_BLAST_ENHANCED: an explosion in air, and the surfaces that it loads (*LOAD_BLAST_SEGMENT, _SET).
+struct BlastLoad {
+    /// One of the deck's units in those of the blast's data.
+    struct Units {
+        double pounds = 1, feet = 1, milliseconds = 1, psi = 1;
+    };
+    struct Surface {
+        std::vector<std::array<Index, 4>> segments; ///< node indices; a triangle repeats the third
+        double scale = 1;                           ///< SCALEP [-]
+    };
+    Id id = 0;
+    bool on_the_ground = false; ///< a hemisphere on the ground (BLAST = 1), or a sphere in air (2)
+    double mass = 0;            ///< of TNT [mass]
+    Vec3 centre{};              ///< [length]
+    Index node = none;          ///< NIDBO: where the charge is in place of the centre
+    double start = 0;           ///< TBO: the explosion [time]
+    double death = forever;     ///< no load any more [time]
+    bool negative_phase = true; ///< NEGPHS = 0
+    Units units;
+    std::vector<Surface> surfaces;
+    Location where;
+};
+
 /// *DAMPING_GLOBAL, *DAMPING_PART_MASS, *DAMPING_RELATIVE: force -rate * curve(t) * scale * m v.
 struct NodeDamping {
     std::vector<Index> parts; ///< empty: everything

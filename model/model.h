@@ -98,6 +98,7 @@ struct Model {
     std::vector<NodalLoad> nodal_loads;
     std::vector<BodyLoad> body_loads;
     std::vector<PressureLoad> pressure_loads;
+    std::vector<BlastLoad> blast_loads;
     std::vector<Airbag> airbags;
     std::vector<NodeDamping> dampings;
     std::vector<StiffnessDamping> stiffness_dampings;

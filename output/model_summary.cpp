@@ -33,6 +33,7 @@ void append_counts(std::string& text, const Model& model)
         {"number of prescribed motions", model.prescribed_motions.size()},
         {"number of nodal loads", model.nodal_loads.size()},
         {"number of pressure loads", model.pressure_loads.size()},
+        {"number of blast loads", model.blast_loads.size()},
         {"number of airbags", model.airbags.size()},
         {"number of body loads", model.body_loads.size()},
     };

@@ -11,7 +11,7 @@ constexpr std::span<const Translator> (*families[])() = {
     part_keywords,     curve_keywords,   geometry_keywords, set_keywords,         boundary_keywords,
     load_keywords,     initial_keywords, damping_keywords,  termination_keywords, rigid_wall_keywords,
     contact_keywords,  control_keywords, database_keywords, constrained_keywords, ale_keywords,
-    adaptive_keywords, airbag_keywords,
+    adaptive_keywords, airbag_keywords,  blast_keywords,
 };
 
 bool matches(std::string_view pattern, std::string_view keyword)

@@ -179,6 +179,7 @@ std::span<const Translator> database_keywords();
 std::span<const Translator> ale_keywords();
 std::span<const Translator> adaptive_keywords();
 std::span<const Translator> airbag_keywords();
+std::span<const Translator> blast_keywords();
 
 /// Moves the nodes of includes as their transformations say.
 void move_included_nodes(Reading& reading);

@@ -313,6 +313,10 @@ constexpr Row rows[] = {
     {"INITIAL_DETONATION*", "X Y Z", length},
     {"INITIAL_DETONATION*", "LT", duration},
     {"INITIAL_VELOCITY*", "NX NY NZ", number},
+    {"LOAD_BLAST_ENHANCED", "M", mass},
+    {"LOAD_BLAST_ENHANCED", "XBO YBO ZBO", length},
+    {"LOAD_BLAST_ENHANCED", "TBO DEATH", duration},
+    {"LOAD_BLAST*", "CFM CFL CFT CFP SCALEP SFNRB", number}, // UNIT tells of the units that come out
     {"LOAD_BODY*", "SF V1 V2 V3", number},
     {"LOAD_BODY*", "XC YC ZC", length},
     {"LOAD_NODE*", "SF", number},

@@ -4,6 +4,7 @@
 #include "ale/fluid_term.h"
 #include "ale/tracers.h"
 #include "conditions/airbags.h"
+#include "conditions/blast_loads.h"
 #include "conditions/body_loads.h"
 #include "conditions/damping.h"
 #include "conditions/fixities.h"
@@ -50,6 +51,7 @@ void add_conditions(Scene& scene, SelectiveMasses selective_masses)
     if (!model.nodal_force_groups.empty()) scene.terms.push_back(std::make_unique<NodalForces>(model));
     if (!model.nodal_loads.empty()) scene.terms.push_back(std::make_unique<NodalLoads>(model));
     if (!model.pressure_loads.empty()) scene.terms.push_back(std::make_unique<PressureLoads>(model));
+    if (!model.blast_loads.empty()) scene.terms.push_back(std::make_unique<BlastLoads>(model, state));
     if (!model.airbags.empty()) scene.terms.push_back(std::make_unique<Airbags>(model, state));
     if (!model.body_loads.empty()) scene.terms.push_back(std::make_unique<BodyLoads>(model, state));
     if (!model.dampings.empty()) scene.terms.push_back(std::make_unique<Damping>(model, state));

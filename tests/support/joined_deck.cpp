@@ -217,6 +217,9 @@ std::string joined_deck()
             fmt::format("{},{},{},{}\n", soft + face[0], soft + face[1], soft + face[2], soft + face[3]);
     deck.text += "*AIRBAG_WANG_NEFSKE_ID\n7,bag\n1,0\n0.7,1.0,300.0,0,5\n0.8,,0.05\n"
                  "1.0e-4,1.2e-6,,,,1.0e-5,0\n,\n";
+    // A gram of TNT explodes beside it.
+    deck.text += "*LOAD_BLAST_ENHANCED\n3,0.001,81.0,-200.0,1.0,0.0,6,2\n0,0,0,0,0,0,0\n"
+                 "*LOAD_BLAST_SEGMENT_SET\n3,1\n";
     // A block that turns, and is rigid for a while.
     deck.part(25, 2, 2);
     deck.block(25, {100, 0, 0}, {104, 4, 4}, 2, 2, 2);

@@ -252,7 +252,7 @@ TEST(PartSwitches, ContactMakesDeformableAndReboundRigid)
     const auto* bodies = run.find<RigidBodies>();
     std::vector<bool> states;
     double first_free = 0;
-    run.watch([&](const Clock& clock, const State& state) {
+    run.watch([&](const Clock& clock, const State&) {
         const auto& all = bodies->bodies();
         const bool rigid =
             std::none_of(all.begin(), all.end(), [](const RigidBody& body) { return body.released; });
