@@ -5,6 +5,7 @@
 #include "elements/solid_kinematics.h"
 #include "materials/parameters.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -24,10 +25,31 @@ std::pair<double, double> elastic_moduli(const Record& material, const Stiffness
         const double g = material.real("G"), k = material.real("BULK");
         return {9 * k * g / (3 * k + g), (3 * k - 2 * g) / (2 * (3 * k + g))};
     }
+    if (material.keyword == "MAT_FABRIC") return {material.real("EA"), material.real("PRBA")};
     throw DeckError(given.where,
                     fmt::format("*DAMPING_PART_STIFFNESS: part {} has a material *{} without the "
                                 "elastic moduli E and PR, or G and BULK",
                                 part, material.keyword));
+}
+
+/// What the deck damps: by parts, and fabrics by their material.
+std::vector<StiffnessDamping> all_dampings(const Model& model)
+{
+    std::vector<StiffnessDamping> all = model.stiffness_dampings;
+    for (std::size_t part = 0; part < model.parts.size(); ++part) {
+        const Index number = model.parts[part].material;
+        if (number == none || model.materials[number].keyword != "MAT_FABRIC") continue;
+        const Record& material = model.materials[number];
+        const double damping = material.real("DAMP");
+        if (damping == 0) continue;
+        if (!(damping > 0 && damping < 1))
+            reject_field(material, "DAMP", "a share of critical damping lies between 0 and 1");
+        const bool own = std::any_of(all.begin(), all.end(), [&](const StiffnessDamping& other) {
+            return other.part == static_cast<Index>(part);
+        });
+        if (!own) all.push_back({static_cast<Index>(part), damping, material.where});
+    }
+    return all;
 }
 
 template <int Corners>
@@ -191,12 +213,7 @@ Lanes StiffnessDampingGroup::damp_shells(Index batch, double beta, double step, 
     each_corner(moment, [&](int corner, const Vector3<Lanes>& value) {
         add_corner(copies.moment.data(), patches_.corner_offsets(batch, corner), value, active);
     });
-    Lanes longest{};
-    for (int corner = 0; corner < 4; ++corner) {
-        const Vector3<Lanes> side = x[(corner + 1) % 4] - x[corner];
-        longest = max(longest, dot(side, side));
-    }
-    length = frame.area / sqrt(longest);
+    length = sqrt(squared_length(position, frame.area, 0));
     return step * frame.area * power;
 }
 
@@ -221,7 +238,7 @@ void StiffnessDampingGroup::report(EnergyLedger& ledger) const
 std::vector<std::unique_ptr<Term>> make_stiffness_damping(const Model& model, State& state)
 {
     std::vector<std::unique_ptr<Term>> groups;
-    for (const StiffnessDamping& damping : model.stiffness_dampings) {
+    for (const StiffnessDamping& damping : all_dampings(model)) {
         if (model.is_rigid(damping.part)) continue;
         const auto elements_of = [&](const std::vector<Index>& part_of_element) {
             std::vector<Index> elements;

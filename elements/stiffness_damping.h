@@ -40,7 +40,7 @@ private:
         Index place = 0;
     };
     const Model& model_;
-    const StiffnessDamping& given_;
+    StiffnessDamping given_;
     Shape shape_;
     Patches patches_;
     double lame_ = 0, shear_ = 0;    ///< [stress]
@@ -56,7 +56,8 @@ private:
     Lanes damp_shells(Index batch, double beta, double step, NodeCopies&, Lanes& length, const Lanes& alive);
 };
 
-/// The groups of a Model's *DAMPING_PART_STIFFNESS.
+/// The groups of a Model's *DAMPING_PART_STIFFNESS, and of DAMP of *MAT_FABRIC (a share of critical damping,
+/// as COEF above 0) where a part has none of its own.
 std::vector<std::unique_ptr<Term>> make_stiffness_damping(const Model&, State&);
 
 } // namespace plash

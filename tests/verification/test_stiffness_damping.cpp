@@ -144,4 +144,24 @@ TEST(StiffnessDamping, RigidMotionIsNotDamped)
     EXPECT_GT(run.scene->ledger.kinetic, 0.99 * run.scene->ledger.initial_total);
 }
 
+// DAMP of *MAT_FABRIC is the share of critical damping of the part that is made of it.
+TEST(StiffnessDamping, FabricsDampAsTheirPartsDo)
+{
+    const auto end = [](const std::string& damp, const std::string& more) {
+        std::string deck = bar(true, more, 5, quarter_sine, 'x');
+        const std::string elastic = "*MAT_ELASTIC\n1,1,100,0\n", shells = "*SECTION_SHELL\n1,2\n";
+        deck.replace(deck.find(elastic), elastic.size(), "*MAT_FABRIC\n1,1,100\n,,,,,,," + damp + "\n");
+        deck.replace(deck.find(shells), shells.size(), "*SECTION_SHELL\n1,5\n");
+        DeckRun run(deck);
+        run.go();
+        EXPECT_LT(run.scene->ledger.balance_error(), 1e-3);
+        EXPECT_EQ(run.scene->ledger.damping > 0, damp != "0" || !more.empty());
+        return run.scene->state.position.back().x;
+    };
+    const double of_part = end("0", "*DAMPING_PART_STIFFNESS\n1,0.2\n");
+    EXPECT_EQ(end("0.2", ""), of_part);
+    EXPECT_EQ(end("0.4", "*DAMPING_PART_STIFFNESS\n1,0.2\n"), of_part);
+    EXPECT_NE(end("0", ""), of_part);
+}
+
 } // namespace plash
