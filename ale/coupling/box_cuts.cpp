@@ -123,19 +123,25 @@ void BoxCuts::cut(const Polygon& polygon, int axis, std::array<int, 3>& index, I
 void BoxCuts::add_piece(const Polygon& polygon, const std::array<int, 3>& index, Index triangle,
                         const Vec3& normal)
 {
-    Piece piece{triangle, {}, {}};
+    Piece piece{triangle, {}, {}, {}};
     double size = 0;
+    const Vec3& from = polygon.corner[0];
     for (int n = 1; n + 1 < polygon.count; ++n) {
-        const Vec3 &a = polygon.corner[0], &b = polygon.corner[n], &c = polygon.corner[n + 1];
-        const Vec3 area = 0.5 * cross(b - a, c - a);
+        const Vec3 b = polygon.corner[n] - from, c = polygon.corner[n + 1] - from;
+        const Vec3 area = 0.5 * cross(b, c);
         const double share = dot(area, normal);
         piece.area += area;
-        piece.middle += (share / 3) * (a + b + c);
+        piece.middle += (share / 3) * (b + c);
+        piece.spread = piece.spread + dyad((share / 12) * b, b) + dyad((share / 12) * c, c) +
+                       dyad((share / 12) * (b + c), b + c);
         size += share;
     }
     const auto [i, j, k] = index;
     if (size > 0) {
         piece.middle = (1 / size) * piece.middle;
+        for (Vec3& row : piece.spread.row) row = (1 / size) * row;
+        piece.spread = piece.spread + dyad(-piece.middle, piece.middle);
+        piece.middle += from;
         Index& entry = cell_entry_[at(i, j, k)];
         if (entry == none) {
             entry = static_cast<Index>(cell_sums_.size());
@@ -337,7 +343,8 @@ void BoxCuts::find_open_cells()
         }
         cells_.back().last = n + 1;
         const Piece& piece = found_[n].piece;
-        pieces_.push_back({piece.triangle, turned_back(piece.area), turned_back(piece.middle)});
+        pieces_.push_back(
+            {piece.triangle, turned_back(piece.area), turned_back(piece.middle), turned_back(piece.spread)});
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ale/box_grid.h"
-#include "math/vector3.h"
+#include "math/matrix3.h"
 #include "model/record.h"
 
 #include <span>
@@ -26,8 +26,9 @@ class BoxCuts {
 public:
     struct Piece {
         Index triangle;
-        Vec3 area;   ///< along the normal [length^2]
-        Vec3 middle; ///< [length]
+        Vec3 area;      ///< along the normal [length^2]
+        Vec3 middle;    ///< [length]
+        Matrix3 spread; ///< mean of (x - middle) (x - middle)^T over it [length^2]
     };
     struct Cell {
         std::array<int, 3> index;
@@ -124,6 +125,12 @@ private:
     {
         Vec3 back;
         for (int n = 0; n < 3; ++n) back.*vector_component[axes_[n]] = v.*vector_component[n];
+        return back;
+    }
+    Matrix3 turned_back(const Matrix3& m) const
+    {
+        Matrix3 back;
+        for (int n = 0; n < 3; ++n) back.row[axes_[n]] = turned_back(m.row[n]);
         return back;
     }
     double share_of(const std::array<int, 3>& index) const;

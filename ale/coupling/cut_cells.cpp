@@ -119,9 +119,6 @@ Index CutCells::add_face(int axis, const std::array<int, 3>& index)
     face.node = {place, place + grid.stride(a), place + grid.stride(b),
                  place + grid.stride(a) + grid.stride(b)};
     face.weight = {area * (1 - s) * (1 - t), area * s * (1 - t), area * (1 - s) * t, area * s * t};
-    std::array<double, 4> fluid;
-    for (int n = 0; n < 4; ++n) fluid[n] = fluid_at(face.node[n]);
-    spare_light_nodes(fluid, face.weight);
     const auto between = [&](int along, double part) {
         const std::vector<double>& planes = grid.planes(along);
         const double low = planes[index[along]];
@@ -132,6 +129,27 @@ Index CutCells::add_face(int axis, const std::array<int, 3>& index)
     face.middle.*vector_component[b] = between(b, t);
     faces_.push_back(face);
     return entry;
+}
+
+/// Whether a cell that is none of these presses on a face, which it does on all four nodes alike.
+bool CutCells::is_pressed_alike(const Face& face) const
+{
+    for (const std::ptrdiff_t side : {face.place - fluid_.grid.stride(face.axis), face.place})
+        if (entry_[side] == none &&
+            (fluid_.fields.pressure[side] != 0 || fluid_.fields.pressure_rate[side] != 0))
+            return true;
+    return false;
+}
+
+void CutCells::spare_light_nodes_from(std::size_t first_face)
+{
+    for (std::size_t n = first_face; n < faces_.size(); ++n) {
+        Face& face = faces_[n];
+        if (is_pressed_alike(face)) continue;
+        std::array<double, 4> fluid;
+        for (int corner = 0; corner < 4; ++corner) fluid[corner] = fluid_at(face.node[corner]);
+        spare_light_nodes(fluid, face.weight);
+    }
 }
 
 Index CutCells::add_cell(const std::array<int, 3>& index, double open)
@@ -150,38 +168,9 @@ Index CutCells::add_cell(const std::array<int, 3>& index, double open)
     return number;
 }
 
-/// Joins a small part to the larger one behind its widest open face.
-void CutCells::join(Index number, const BoxCuts& cuts)
-{
-    double widest = 0;
-    std::array<int, 3> to{};
-    for (int side = 0; side < 6; ++side) {
-        const Cell& cell = cells_[number];
-        const std::array<int, 3> index = beyond(cell, side);
-        if (!in_box(index)) continue;
-        std::array<int, 3> face = cell.index;
-        face[side / 2] += side % 2;
-        const double open = cuts.face(side / 2, face[0], face[1], face[2]).open;
-        if (open <= widest + 1e-9 || cuts.open_share(index[0], index[1], index[2]) <=
-                                         cuts.open_share(cell.index[0], cell.index[1], cell.index[2]))
-            continue;
-        widest = open;
-        to = index;
-        cells_[number].to_parent = side;
-    }
-    if (widest == 0) return;
-    const Index parent = add_cell(to, cuts_->open_share(to[0], to[1], to[2]));
-    cells_[number].parent = parent;
-}
-
-Index CutCells::root(Index cell) const
-{
-    while (cells_[cell].parent != none) cell = cells_[cell].parent;
-    return cell;
-}
-
 void CutCells::begin(const BoxCuts& cuts)
 {
+    if (!cells_.empty()) find_covered();
     clear();
     cuts_ = &cuts;
     if (held_axes_.empty()) {
@@ -195,6 +184,8 @@ void CutCells::begin(const BoxCuts& cuts)
     const std::size_t cut_cells = cells_.size();
     for (std::size_t n = 0; n < cut_cells; ++n)
         if (cells_[n].open < least_open) join(static_cast<Index>(n), cuts);
+    join_covered();
+    spare_light_nodes_from(0);
     for (std::size_t n = 0; n < cells_.size(); ++n) {
         Cell& cell = cells_[n];
         if (cell.parent != none) continue;
@@ -352,7 +343,7 @@ double CutCells::stable_step() const
 
 void CutCells::end(const BoxCuts& cuts)
 {
-    const std::size_t before = cells_.size();
+    const std::size_t before = cells_.size(), faces_before = faces_.size();
     for (std::size_t n = 0; n < before; ++n) {
         Cell& cell = cells_[n];
         cell.next = cuts.open_share(cell.index[0], cell.index[1], cell.index[2]);
@@ -376,6 +367,7 @@ void CutCells::end(const BoxCuts& cuts)
             parent.next = cuts.open_share(parent.index[0], parent.index[1], parent.index[2]);
         }
     }
+    spare_light_nodes_from(faces_before);
     for (std::size_t n = before; n < cells_.size(); ++n) {
         const Index of = cells_[root(static_cast<Index>(n))].group;
         cells_[n].group = of;

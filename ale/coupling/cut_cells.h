@@ -85,6 +85,8 @@ public:
     void keep() override;
     void restore() override;
 
+    void serialise(Archive& archive);
+
 private:
     struct Face {
         std::ptrdiff_t place;
@@ -120,6 +122,11 @@ private:
         double open;
         std::vector<Filling> fluids;
     };
+    /// A cell that has been covered, and where it passed its fluid.
+    struct Covered {
+        std::array<int, 3> index;
+        int to_parent; ///< side
+    };
     struct Kept {
         std::ptrdiff_t place;
         int fluid;
@@ -132,6 +139,7 @@ private:
     std::vector<Group> groups_;
     std::vector<Content> contents_; ///< by group and fluid
     std::vector<Kept> kept_;
+    std::vector<Covered> covered_;
     std::vector<Resting> resting_;        ///< only while a structure looks for its place
     std::vector<std::ptrdiff_t> slivers_; ///< likewise: those that had no fluid
     std::vector<Index> entry_;            ///< of cells, by storage place
@@ -151,10 +159,14 @@ private:
     std::array<std::ptrdiff_t, 8> nodes_of(const Cell& cell) const;
     Index add_cell(const std::array<int, 3>& index, double open);
     Index add_face(int axis, const std::array<int, 3>& index);
+    bool is_pressed_alike(const Face& face) const;
+    void spare_light_nodes_from(std::size_t first_face);
     std::array<int, 3> beyond(const Cell& cell, int side) const;
     double fluid_at(std::ptrdiff_t node) const;
     bool in_box(const std::array<int, 3>& index) const;
     void join(Index cell, const BoxCuts& cuts);
+    void find_covered();
+    void join_covered();
     Index root(Index cell) const;
     double out_rate(const Cell& cell, const std::array<AlignedDoubles, 3>& velocity) const;
     double filled_beyond(const Cell& cell, int side, double own) const;

@@ -135,9 +135,26 @@ CutCoupling::Weights CutCoupling::weights(const BoxCuts::Piece& piece) const
     const double square = dot(whole, whole);
     const double at_b = dot(cross(piece.middle - a, c - a), whole) / square,
                  at_c = dot(cross(b - a, piece.middle - a), whole) / square;
-    const double at_a = 1 - at_b - at_c;
-    if (!carriers_[piece.triangle].middle) return {at_a, at_b, at_c, 0};
+    return of_carriers(piece.triangle, 1 - at_b - at_c, at_b, at_c);
+}
+
+/// What the corners of a triangle have, on the nodes that carry it.
+CutCoupling::Weights CutCoupling::of_carriers(std::size_t triangle, double at_a, double at_b,
+                                              double at_c) const
+{
+    if (!carriers_[triangle].middle) return {at_a, at_b, at_c, 0};
     return {at_a + 0.25 * at_c, at_b + 0.25 * at_c, 0.25 * at_c, 0.25 * at_c};
+}
+
+/// Mean over a piece of its nodes' shape functions times a pressure that is zero in the middle and has a
+/// slope [pressure]. Without it what a node bears would depend on how planes of the mesh divide its
+/// triangles.
+CutCoupling::Weights CutCoupling::lean(const BoxCuts::Piece& piece, const Vec3& slope) const
+{
+    const auto& [a, b, c] = triangles_[piece.triangle].corner;
+    const Vec3 whole = cross(b - a, c - a), moved = (1 / dot(whole, whole)) * (piece.spread * slope);
+    const double at_b = dot(cross(moved, c - a), whole), at_c = dot(cross(b - a, moved), whole);
+    return of_carriers(piece.triangle, -at_b - at_c, at_b, at_c);
 }
 
 Vec3 CutCoupling::velocity_of(const BoxCuts::Piece& piece, const State& state) const
@@ -214,10 +231,15 @@ void CutCoupling::find_compliance(const State& state)
     }
 }
 
+/// Pressures linear in space, that of the weight, times shape functions.
 void CutCoupling::press_structure(const Vec3& gravity)
 {
     for_wet_pieces([&](Index group, const BoxCuts::Piece& piece) {
-        press(piece.triangle, weights(piece), -cells_.pressure_at(group, piece.middle, gravity) * piece.area);
+        const Weights at = weights(piece), leaning = lean(piece, cells_.groups()[group].density * gravity);
+        const double pressure = cells_.pressure_at(group, piece.middle, gravity);
+        Weights pressures;
+        for (int n = 0; n < 4; ++n) pressures[n] = pressure * at[n] + leaning[n];
+        press(piece.triangle, pressures, -piece.area);
     });
 }
 

@@ -28,7 +28,11 @@ public:
     void add_forces(const Clock& clock, State& state) override;
     StepVote stable_step() const override;
     void report(EnergyLedger& ledger) const override { ledger.sliding -= work_on_structure_; }
-    void serialise(Archive& archive) override { archive(force_, work_on_structure_); }
+    void serialise(Archive& archive) override
+    {
+        archive(force_, work_on_structure_);
+        cells_.serialise(archive);
+    }
     void collect(const State& state, ElementResults& results) const override;
     std::vector<std::string> notices(const State& state) const override;
 
@@ -65,6 +69,8 @@ private:
     void find_cuts(const std::vector<Vec3>& position);
     bool has_moved(const State& state) const;
     Weights weights(const BoxCuts::Piece& piece) const;
+    Weights of_carriers(std::size_t triangle, double at_a, double at_b, double at_c) const;
+    Weights lean(const BoxCuts::Piece& piece, const Vec3& slope) const;
     Vec3 velocity_of(const BoxCuts::Piece& piece, const State& state) const;
     void press(std::size_t triangle, const Weights& weight, const Vec3& force);
     void push_fluid(std::ptrdiff_t node, const Vec3& force);

@@ -104,4 +104,33 @@ TEST(AleBoxCuts, FacesHaveTheirMiddles)
     EXPECT_FALSE(cuts.node_open(0, 0, 1));
 }
 
+// A triangle's second moment about the origin, A / 12 (sum of v v^T over its corners + 9 c c^T with its
+// middle c), is that of its pieces, whichever axis is followed.
+TEST(AleBoxCuts, PiecesHaveTheirSpread)
+{
+    const BoxGrid& grid = cut_grid();
+    const Vec3 a{0.21, 0.33, 0.13}, b{1.12, 0.47, 0.31}, c{0.52, 1.09, 0.42}, d{0.63, 0.61, 1.37};
+    const std::vector<SurfaceTriangle> triangles = tetrahedron(a, b, c, d);
+    for (const int axis : {0, 1, 2}) {
+        BoxCuts cuts(grid, axis);
+        cuts.find(grid, triangles);
+        std::vector<Matrix3> sum(triangles.size());
+        for (const BoxCuts::Cell& cell : cuts.cells())
+            for (const BoxCuts::Piece& piece : cuts.pieces(cell)) {
+                const Matrix3 mean = piece.spread + dyad(piece.middle, piece.middle);
+                for (int row = 0; row < 3; ++row)
+                    sum[piece.triangle].row[row] += norm(piece.area) * mean.row[row];
+            }
+        for (std::size_t n = 0; n < triangles.size(); ++n) {
+            const auto& corner = triangles[n].corner;
+            const double area = 0.5 * norm(cross(corner[1] - corner[0], corner[2] - corner[0]));
+            const Vec3 middle = (1. / 3) * (corner[0] + corner[1] + corner[2]);
+            Matrix3 wanted = dyad(9. * middle, middle);
+            for (const Vec3& v : corner) wanted = wanted + dyad(v, v);
+            for (int row = 0; row < 3; ++row)
+                EXPECT_LT(norm(sum[n].row[row] - (area / 12) * wanted.row[row]), 1e-12) << axis;
+        }
+    }
+}
+
 } // namespace plash

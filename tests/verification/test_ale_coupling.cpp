@@ -492,14 +492,15 @@ const std::string by_cut_cells = "2,4,1,1\n\n*PLASH_ALE_FORMULATION\n0,1";
 
 } // namespace
 
-// Measured 1.1e-10 at most. While what passed between parts of cells that have joined was shared with the
-// void at the waterline, 9e-5 stayed behind a wall that went aside.
+// Measured: nothing is lost. While what passed between parts of cells that have joined was shared with the
+// void at the waterline, 9e-5 stayed behind a wall that went aside; while what was left in covered cells
+// stayed there, up to 2e-9, with the wall's speed.
 TEST(AleCutCells, BoxOfWaterIsTight)
 {
     const Threads one(1);
     for (const int elements : {12, 1}) {
         EXPECT_LT(leak(elements, by_cut_cells, 0.2), 1e-9) << elements << " an edge";
-        EXPECT_LT(leak(elements, by_cut_cells, 0.3, {1, 0.1}), 1e-9) << elements << " an edge";
+        EXPECT_LT(leak(elements, by_cut_cells, 0.3, {1, 0.1}), 1e-12) << elements << " an edge";
         EXPECT_LT(leak(elements, by_cut_cells, 0.3, {3, 0.04}), 1e-9) << elements << " an edge";
     }
 }
