@@ -32,14 +32,17 @@ struct ShellSettings {
     bool bulk_viscosity = false; ///< *CONTROL_BULK_VISCOSITY TYPE -1 or -2
     double quadratic_viscosity = 0;
     double linear_viscosity = 0;
-    double wave_speed = 0;              ///< of a plane-stress wave [velocity]
-    double poisson_ratio = 0;           ///< of the elastic law
-    double density = 0;                 ///< [mass/volume]
-    bool membrane = false;              ///< ELFORM 5, 9: one point, no bending and no transverse shear
-    std::string notice;                 ///< what the user should know of the formulation; empty: nothing
-    bool points_fail = false;           ///< the law has a failure strain
-    int points_to_erode = 0;            ///< *MAT_ADD_EROSION: so many failed points take an element; 0: none
-    double failure_time = 1e300;        ///< FAILTM: all elements go [time]
+    double wave_speed = 0;       ///< of a plane-stress wave [velocity]
+    double poisson_ratio = 0;    ///< of the elastic law
+    double density = 0;          ///< [mass/volume]
+    bool membrane = false;       ///< ELFORM 5, 9: one point, no bending and no transverse shear
+    std::string notice;          ///< what the user should know of the formulation; empty: nothing
+    bool points_fail = false;    ///< the law has a failure strain
+    int points_to_erode = 0;     ///< *MAT_ADD_EROSION: so many failed points take an element; 0: none
+    double failure_time = 1e300; ///< FAILTM: all elements go [time]
+    /// By how much the mass of an element's volume may fall (as it is stretched without getting thinner)
+    /// before TSSFAC has no room for it any more: 1 / share [-], 1 or more.
+    double spare_density = 1;
     double shortest_squared_length = 0; ///< elements whose step needs a shorter one are deleted [length^2]
     /// Where a record holds the strains that result files show (STRFLG): six of the innermost, then six of
     /// the outermost points, in the element's frame, means over its columns. 0: nobody wants them.
@@ -53,6 +56,7 @@ namespace shell_record {
 enum Element {
     thickness,        ///< [length]
     mass_factor,      ///< by which mass scaling has raised the element's mass (1: not); 0: eroded
+    reference_volume, ///< at the start [length^3]
     internal_energy,  ///< [energy]
     hourglass_energy, ///< [energy]
     hourglass_force,  ///< three forces and two moments of the last step
@@ -262,13 +266,24 @@ inline void silence_eroded(Lane mass_factor_now, ShellStep<Lane>& step)
     keep(step.viscous_work);
 }
 
+/// What of its squared length an element may vote with: waves in one that has been stretched without getting
+/// as much thinner (ISTUPD = 0: it keeps its thickness) are faster than those of its density, as its mass
+/// stays.
+template <class Lane>
+inline Lane stretched_share(const ShellSettings& settings, const Lane& reference_volume, const Lane& volume)
+{
+    return min(broadcast<Lane>(1.0), settings.spare_density * reference_volume / volume);
+}
+
 /// What ends every step: the vote, silence of eroded elements, energies into the record.
 template <class Lane>
 inline void finish_step(const ShellSettings& settings, const CornerPattern<Lane>& position, Lane area,
                         Lane* record, ShellStep<Lane>& step)
 {
     const Lane factor = record[shell_record::mass_factor];
-    step.squared_length = factor * squared_length(position, area, settings.length_rule);
+    const Lane share = stretched_share(settings, record[shell_record::reference_volume],
+                                       Lane{area * record[shell_record::thickness]});
+    step.squared_length = factor * share * squared_length(position, area, settings.length_rule);
     if (any(factor == Lane{})) silence_eroded(factor, step);
     record[shell_record::internal_energy] += step.internal_work;
     record[shell_record::hourglass_energy] += step.hourglass_work;

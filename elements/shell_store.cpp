@@ -83,14 +83,24 @@ SymmetricTensor<double> to_local(const ShellFrame<double>& frame, const Symmetri
     return rotated(global, rows);
 }
 
-} // namespace
-
-double squared_length_of(const Model& model, const State& state, Index element, int length_rule)
+CornerPattern<double> pattern_at(const Model& model, const State& state, Index element)
 {
     const std::array<Index, 4> nodes = shell_corners(model, element);
     Vec3 corner[4];
     for (int i = 0; i < 4; ++i) corner[i] = state.position[nodes[i]];
-    const CornerPattern<double> position = pattern_of(corner[0], corner[1], corner[2], corner[3]);
+    return pattern_of(corner[0], corner[1], corner[2], corner[3]);
+}
+
+double area_of(const Model& model, const State& state, Index element)
+{
+    return shell_frame(pattern_at(model, state, element)).area;
+}
+
+} // namespace
+
+double squared_length_of(const Model& model, const State& state, Index element, int length_rule)
+{
+    const CornerPattern<double> position = pattern_at(model, state, element);
     return squared_length(position, shell_frame(position).area, length_rule);
 }
 
@@ -112,11 +122,12 @@ ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings i
     const int point_count = plane_points_ * settings.rule.size();
     record_size_ = points + static_cast<std::size_t>(point_count) * point_size_;
     settings.column_share = 1.0 / plane_points_;
-    if (its.alone) {
-        constexpr double margin = 0.98;
-        step_share =
-            std::min(1.0, margin / (model.controls.time.step_scale * std::sqrt(1 + settings.poisson_ratio)));
-    }
+    constexpr double margin = 0.98;
+    const double alone = its.alone ? std::sqrt(1 + settings.poisson_ratio) : 1,
+                 scale = model.controls.time.step_scale;
+    if (its.alone) step_share = std::min(1.0, margin / (scale * alone));
+    const double spare = margin / (scale * step_share * alone);
+    settings.spare_density = std::max(spare * spare, 1.0);
     if (model.controls.output.strains()) {
         settings.strain_place = static_cast<int>(record_size_);
         record_size_ += 12;
@@ -126,8 +137,9 @@ ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings i
         Lanes* values = record(batch);
         values[mass_factor] = broadcast<Lanes>(1.0);
         for (int lane = 0; lane < lane_count; ++lane) {
-            values[thickness][lane] =
-                shell_mass(model, patches.elements[batch * lane_count + lane], plate).thickness;
+            const Index element = patches.elements[batch * lane_count + lane];
+            values[thickness][lane] = shell_mass(model, element, plate).thickness;
+            values[reference_volume][lane] = values[thickness][lane] * area_of(model, state, element);
         }
         for (int point = 0; point < point_count; ++point) {
             Lanes* variables = values + points + point * point_size_ + history;
@@ -366,7 +378,11 @@ void ShellStore::collect_steps(const State& state, ElementResults& results) cons
         for (int lane = 0; lane < patches.active_lanes(batch); ++lane) {
             const Index element = patches.elements[batch * lane_count + lane];
             const double factor = record(batch)[shell_record::mass_factor][lane];
-            const double length = squared_length_of(model, state, element, settings.length_rule);
+            const Lanes* values = record(batch);
+            const double volume = values[shell_record::thickness][lane] * area_of(model, state, element);
+            const double length =
+                stretched_share(settings, double{values[shell_record::reference_volume][lane]}, volume) *
+                squared_length_of(model, state, element, settings.length_rule);
             add_step(results, {"shell", model.shells.id[element], model.parts[part].id,
                                step_share * std::sqrt(factor * length) / settings.wave_speed});
         }
