@@ -52,7 +52,9 @@ FluidCoupling::FluidCoupling(const Model& model, CouplingOptions options, Surfac
         if (group.fluid != none) bulk_modulus_.push_back(reference_stiffness(group));
     for (const Record& record : model.others)
         hydrostatic_ = hydrostatic_ || record.keyword == "INITIAL_HYDROSTATIC_ALE";
-    if (hydrostatic_) rest_depth_.resize(points_.size());
+    if (!hydrostatic_) return;
+    rest_depth_.resize(points_.size());
+    rest_unevenness_.resize(points_.size());
 }
 
 /// Share of the coupled fluids half a cell before the surface: a surface that stands anywhere in its cell,
@@ -129,7 +131,7 @@ void FluidCoupling::list_active()
     for (const Index point : active_) {
         if (touches_[point].active) continue;
         penetration_[point] = 0;
-        if (!rest_depth_.empty()) rest_depth_[point] = 0;
+        if (hydrostatic_) rest_depth_[point] = rest_unevenness_[point] = 0;
         slip_[point] = force_[point] = {};
     }
     active_.clear();
@@ -139,7 +141,7 @@ void FluidCoupling::list_active()
 
 void FluidCoupling::serialise(Archive& archive)
 {
-    archive(penetration_, rest_depth_, slip_, force_, cell_, work_on_structure_);
+    archive(penetration_, rest_depth_, rest_unevenness_, slip_, force_, cell_, work_on_structure_);
     if (!archive.loading()) return;
     active_.clear();
     for (std::size_t point = 0; point < points_.size(); ++point)
@@ -149,7 +151,8 @@ void FluidCoupling::serialise(Archive& archive)
 }
 
 /// Where a point lies. On a face between two cells, which is where walls stand in a mesh that fits them, it
-/// lies in the one on the fluid's side, whatever round-off says: that one holds its fluid.
+/// lies in the one on the fluid's side, whatever round-off says: that one holds its fluid. On a face that the
+/// surface crosses it lies in the upper cell, so that round-off does not decide with which springs it goes.
 MeshPoint FluidCoupling::place_before(const Touch& touch, const std::array<int, 3>& guess) const
 {
     constexpr double round_off = 1e-9;
@@ -158,8 +161,12 @@ MeshPoint FluidCoupling::place_before(const Touch& touch, const std::array<int, 
     if (at.inside && std::all_of(at.part.begin(), at.part.end(),
                                  [](double part) { return part > round_off && part < 1 - round_off; }))
         return at;
-    const double length = at.inside ? length_along(fluid.edges(at), touch.normal) : std::sqrt(touch.area);
-    return fluid.locate(touch.position + 2 * round_off * length * touch.normal, at.inside ? at.cell : guess);
+    if (!at.inside)
+        return fluid.locate(touch.position + 2 * round_off * std::sqrt(touch.area) * touch.normal, guess);
+    const std::array<Vec3, 3> edges = fluid.edges(at);
+    const Vec3 upward = 0.25 * round_off * (edges[0] + edges[1] + edges[2]);
+    const Vec3 forward = 2 * round_off * length_along(edges, touch.normal) * touch.normal;
+    return fluid.locate(touch.position + forward + upward, at.cell);
 }
 
 void FluidCoupling::look(std::size_t point, const State& state)
@@ -289,34 +296,76 @@ void FluidCoupling::sum_depths()
     if (present_.empty()) return;
     for (const Index point : active_) {
         const Touch& touch = touches_[point];
-        interface_depth_.count(fluid_.fluid(), {touch.place, touch.position, touch.normal}, touch.area,
-                               penetration_[point]);
+        const double at_rest = hydrostatic_ ? rest_unevenness_[point] : 0;
+        interface_depth_.count(fluid_.fluid(), {touch.place, touch.position, touch.normal},
+                               {touch.area, touch.stiffness, penetration_[point], at_rest});
     }
+}
+
+/// How much deeper the spring of a point is than those of its plane in its cell are together, beyond what it
+/// was at rest [length].
+double FluidCoupling::unevenness(std::size_t point) const
+{
+    if (present_.empty()) return 0;
+    const Touch& touch = touches_[point];
+    const std::optional<double> even =
+        interface_depth_.even_depth(fluid_.fluid(), {touch.place, touch.position, touch.normal});
+    if (!even) return 0;
+    return penetration_[point] - (hydrostatic_ ? rest_unevenness_[point] : 0) - *even;
+}
+
+void FluidCoupling::remember_rest(std::size_t point)
+{
+    if (!hydrostatic_) return;
+    rest_depth_[point] = -unknown_depth(touches_[point]).value_or(0);
+    rest_unevenness_[point] = unevenness(point);
+}
+
+/// Share of what springs and volumes differ by that a step makes up for: all of it in the time in which sound
+/// crosses so many cells, but not before what moves there, surface or fluid, has crossed a tenth of a cell.
+/// What springs do not know has come with the flow through the mesh. A correction at the pace of sound would
+/// drive a fluid that hardly moves like a piston, and feed its waves, which springs and volumes see from
+/// slightly different places.
+double FluidCoupling::share_of_way(const Touch& touch, double cells_of_sound, const Clock& clock) const
+{
+    constexpr double cells_of_flow = 0.1;
+    const Fluid& fluid = fluid_.fluid();
+    const std::array<double, 3>& mesh = fluid.lagrange.mesh_velocity;
+    const Vec3 of_surface = touch.velocity - Vec3{mesh[0], mesh[1], mesh[2]};
+    const Vec3 of_fluid = of_surface - touch.approach;
+    const double speed = std::sqrt(std::max(dot(of_surface, of_surface), dot(of_fluid, of_fluid)));
+    const double flow_rate = speed / length_along(fluid.edges(touch.place), touch.normal);
+    const double rate = std::min(touch.sound_rate / cells_of_sound, flow_rate / cells_of_flow);
+    return std::min(rate * clock.last_step, 1.0);
 }
 
 /// Penetrations tend to what the volumes of the fluid say: in the time in which sound crosses 50 cells where
 /// the fluid stands further behind, and ten times as slowly where it stands less far, so that the pressures
-/// of an impact stay. A surface neither pulls a fluid that has not come up to it, nor lets one go that it
-/// pulls. Springs and volumes see the same waves from slightly different places, and a correction that
-/// followed them would feed them: a hundredth of a cell is what fractions do not tell.
+/// of an impact stay; see share_of_way(). A surface neither pulls a fluid that has not come up to it, nor
+/// lets one go that it pulls.
+///
+/// Volumes and nodes of the fluid know the springs of a plane in a cell by little more than what they do
+/// together, and single ones would stray as they pass from cell to cell. So they tend to be as deep as the
+/// others there, in the time of 50 cells of sound: their force stays, and their energy can only fall.
 void FluidCoupling::correct_depth(std::size_t point, const Clock& clock)
 {
     const Touch& touch = touches_[point];
     double& depth = penetration_[point];
-    const Fluid& fluid = fluid_.fluid();
-    const double untold = 0.01 * length_along(fluid.edges(touch.place), touch.normal);
+    const double uneven = unevenness(point);
+    // Leak control takes the share of each cycle that the deck asks for, but no more than the flow can bring.
+    const double leak_share = std::min(options_.leak_control, share_of_way(touch, 0, clock));
     if (std::optional<double> unknown = unknown_depth(touch)) {
         if (!rest_depth_.empty()) *unknown += rest_depth_[point];
-        const double behind = depth + *unknown - std::clamp(*unknown, -untold, untold);
+        const double behind = depth + *unknown;
         const double wanted = depth > 0 ? std::max(behind, 0.0) : std::min(behind, 0.0);
-        const double cells_of_sound = wanted > depth ? 50 : 500;
-        depth += std::min(touch.sound_rate * clock.last_step / cells_of_sound, 1.0) * (wanted - depth);
+        depth += share_of_way(touch, wanted > depth ? 50 : 500, clock) * (wanted - depth);
         // What the springs know is no leak: it holds the pressure.
-        depth += options_.leak_control * std::max(*unknown - untold, 0.0);
+        depth += leak_share * std::max(*unknown, 0.0);
     } else if (touch.excess > 0) {
-        const std::optional<double> known = interface_depth_.mean_depth(fluid.place_of(touch.place));
-        if (known) depth += options_.leak_control * std::max(touch.excess - *known - untold, 0.0);
+        const std::optional<double> known = interface_depth_.mean_depth(fluid_.fluid().place_of(touch.place));
+        if (known) depth += leak_share * std::max(touch.excess - *known, 0.0);
     }
+    depth -= std::min(touch.sound_rate * clock.last_step / 50, 1.0) * uneven;
 }
 
 /// Pressure of a fluid at rest on the surface at a point [pressure]: that of the cell before it, and along
@@ -351,6 +400,7 @@ void FluidCoupling::rest_on(std::size_t point, const Vec3& gravity)
     touch.pressing = touch.area * pressure_before(touch, gravity);
     slip_[point] = {};
     penetration_[point] = touch.stiffness > 0 ? touch.pressing / touch.stiffness : 0;
+    if (hydrostatic_) rest_unevenness_[point] = 0;
 }
 
 void FluidCoupling::stretch(std::size_t point, const Clock& clock)
@@ -511,8 +561,8 @@ void FluidCoupling::add_forces(const Clock& clock, State& state)
             const Index point = active_[entry];
             if (!rests)
                 load_spring(point, clock);
-            else if (!rest_depth_.empty())
-                rest_depth_[point] = -unknown_depth(touches_[point]).value_or(0);
+            else
+                remember_rest(point);
         }
     });
     if (options_.direction == Direction::compression) separate();

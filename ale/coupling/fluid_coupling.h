@@ -59,6 +59,8 @@ private:
     /// Of points that started with the pressure of a fluid at rest, how much deeper those around were then
     /// than the volumes of the fluid say [length]; empty without a hydrostatic start.
     std::vector<double> rest_depth_;
+    /// And how much deeper than those of its plane in its cell taken together [length].
+    std::vector<double> rest_unevenness_;
     std::vector<Vec3> slip_;               ///< and across it, where that is held [length]
     std::vector<Vec3> force_;              ///< on the structure at each point at t_n [force]
     std::vector<std::array<int, 3>> cell_; ///< where each point was last
@@ -92,8 +94,11 @@ private:
     void rest_on(std::size_t point, const Vec3& gravity);
     void stretch(std::size_t point, const Clock& clock);
     std::optional<double> unknown_depth(const Touch& touch) const;
+    double unevenness(std::size_t point) const;
+    void remember_rest(std::size_t point);
     void sum_depths();
     void load_spring(std::size_t point, const Clock& clock);
+    double share_of_way(const Touch& touch, double cells_of_sound, const Clock& clock) const;
     void correct_depth(std::size_t point, const Clock& clock);
     void separate();
     void press(std::size_t point, const Clock& clock);

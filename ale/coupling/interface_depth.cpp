@@ -137,15 +137,25 @@ int InterfaceDepth::plane_of(const Cell& cell, const Vec3& normal)
     return -1;
 }
 
-void InterfaceDepth::count(const Fluid& fluid, const Point& point, double area, double depth)
+void InterfaceDepth::count(const Fluid& fluid, const Point& point, const Spring& spring)
 {
     const Index entry = entry_[fluid.place_of(point.place)];
     if (entry == none) return;
     Cell& cell = cells_[entry];
     const int plane = plane_of(cell, point.normal);
     if (plane < 0) return;
-    cell.area[plane] += area;
-    cell.swept += area * depth;
+    cell.area[plane] += spring.area;
+    cell.stiffness[plane] += spring.stiffness;
+    cell.pressing[plane] += spring.stiffness * (spring.depth - spring.at_rest);
+    cell.swept += spring.area * spring.depth;
+}
+
+std::optional<double> InterfaceDepth::even_depth(const Fluid& fluid, const Point& point) const
+{
+    const Cell* cell = cell_at(fluid.place_of(point.place));
+    const int plane = cell ? plane_of(*cell, point.normal) : -1;
+    if (plane < 0 || !(cell->stiffness[plane] > 0)) return {};
+    return cell->pressing[plane] / cell->stiffness[plane];
 }
 
 std::optional<double> InterfaceDepth::mean_depth(std::ptrdiff_t place) const

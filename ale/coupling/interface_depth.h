@@ -17,6 +17,13 @@ namespace plash {
 /// the fluid) or behind any.
 class InterfaceDepth {
 public:
+    struct Spring {
+        double area = 0;      ///< [length^2]
+        double stiffness = 0; ///< [force/length]
+        double depth = 0;     ///< [length]
+        double at_rest = 0;   ///< how much deeper than even_depth() it was at rest [length]
+    };
+
     explicit InterfaceDepth(const Fluid& fluid) : entry_(fluid.fields.volume.size(), none) {}
 
     /// Collects the planes of the surface in the cells that are looked at for some of its points. The points
@@ -27,7 +34,10 @@ public:
     /// Mean depth of the springs in a cell that one plane passes [length].
     std::optional<double> mean_depth(std::ptrdiff_t place) const;
     /// Takes the spring of a point into account. After collect().
-    void count(const Fluid& fluid, const DryFaces::Point& point, double area, double depth);
+    void count(const Fluid& fluid, const DryFaces::Point& point, const Spring& spring);
+    /// Depth of the springs of one plane in the cell of a point, each by its stiffness: all of them as deep
+    /// as that press as hard as they do, and hold no more energy [length].
+    std::optional<double> even_depth(const Fluid& fluid, const DryFaces::Point& point) const;
     /// How much further the interface stands behind than the springs in the cell of the point know, all
     /// planes taken together: a cell along an edge of the structure does not tell which of them its fluid
     /// stands behind. Negative where it stands less far [length]; nothing where the cells do not tell.
@@ -40,8 +50,11 @@ private:
         std::array<const DryFaces::Point*, most_planes> planes{};
         int count = 0;     ///< of planes; more than fit: most_planes + 1
         double before = 0; ///< share of the cell that lies before the surface; negative: unknown
-        std::array<double, most_planes> area{}; ///< of the springs of each plane [length^2]
-        double swept = 0;                       ///< sum of depth times area of all springs [length^3]
+        std::array<double, most_planes> area{};      ///< of the springs of each plane [length^2]
+        std::array<double, most_planes> stiffness{}; ///< of those [force/length]
+        std::array<double, most_planes>
+            pressing{};   ///< of those, without what they are uneven at rest [force]
+        double swept = 0; ///< sum of depth times area of all springs [length^3]
     };
     std::vector<Index> entry_; ///< of each cell in cells_, by storage place
     std::vector<std::ptrdiff_t> places_;
