@@ -2,6 +2,7 @@
 #include "core/prescribed_rate.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plash {
 
@@ -64,6 +65,32 @@ AffineStep step_of_frame(const std::vector<Vec3>& before, const std::vector<Vec3
     return result;
 }
 
+/// Axis by axis of the system of the first three nodes: how far others reach from the fourth one, before and
+/// after. What lies within such a reach stays within it.
+AffineStep step_of_enclosing(const MeshMotion& motion, const std::vector<Vec3>& before,
+                             const std::vector<Vec3>& after)
+{
+    AffineStep result;
+    result.from = before[3];
+    result.to = after[3];
+    result.gradient = {};
+    const std::array<Vec3, 3> old = axes_of(before), now = axes_of(after);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto reach = [axis](const std::vector<Vec3>& nodes, const std::array<Vec3, 3>& axes) {
+            double far = 0;
+            for (std::size_t n = 4; n < nodes.size(); ++n)
+                far = std::max(far, std::abs(dot(nodes[n] - nodes[3], axes[axis])));
+            return far;
+        };
+        const double was = reach(before, old);
+        const bool stretches = was > 0 && !(motion.stiff & (1u << axis));
+        const double stretch = stretches ? reach(after, now) / was : 1;
+        for (int row = 0; row < 3; ++row)
+            result.gradient[row] += (stretch * (now[axis].*vector_component[row])) * old[axis];
+    }
+    return result;
+}
+
 /// Of a box that is flat along an axis there is nothing to stretch by.
 AffineStep step_of_extent(const MeshMotion& motion, const std::vector<Vec3>& before,
                           const std::vector<Vec3>& after)
@@ -104,6 +131,9 @@ AffineStep affine_step(const MeshMotion& motion, const Model& model, double time
         break;
     case MeshMotion::Kind::extent:
         result = step_of_extent(motion, before, after);
+        break;
+    case MeshMotion::Kind::enclosing:
+        result = step_of_enclosing(motion, before, after);
         break;
     default:
         result.to = step * Vec3{velocity[0], velocity[1], velocity[2]};

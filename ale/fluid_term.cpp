@@ -162,6 +162,10 @@ std::vector<std::string> EulerianFluid::notices(const State&) const
                           "PRTYPE 2 names is not smoothed; it stands still or is carried as a whole");
     if (motion_.idle_back)
         notices.push_back("EFAC of *ALE_REFERENCE_SYSTEM_GROUP has no effect: it is for PRTYPE 8 alone");
+    if (motion_.idle_centre)
+        notices.push_back(
+            "ICOORD of *ALE_REFERENCE_SYSTEM_GROUP has no effect: with PRTYPE 9 alone is there a "
+            "centre of stretching");
     return notices;
 }
 

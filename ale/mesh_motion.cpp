@@ -36,18 +36,34 @@ void set_curves(const Model& model, const Record& record, MeshMotion::Rule& rule
     }
 }
 
+Index node_of_field(const Model& model, const Record& record, const std::string& field)
+{
+    const auto& ids = model.nodes.id;
+    const auto found = std::find(ids.begin(), ids.end(), record.integer(field));
+    if (found == ids.end())
+        reject_field(record, field, fmt::format("there is no node {}", record.integer(field)));
+    return static_cast<Index>(found - ids.begin());
+}
+
 /// NID1 up to the given number, as far as they are there.
 void set_nodes(const Model& model, const Record& record, int most, MeshMotion::Rule& rule)
 {
-    const auto& ids = model.nodes.id;
     for (int number = 1; number <= most; ++number) {
         const std::string field = fmt::format("NID{}", number);
-        const Id id = record.integer(field);
-        if (id == 0 && number > 1) continue;
-        const auto found = std::find(ids.begin(), ids.end(), id);
-        if (found == ids.end()) reject_field(record, field, fmt::format("there is no node {}", id));
-        rule.nodes.push_back(static_cast<Index>(found - ids.begin()));
+        if (record.integer(field) != 0 || number == 1)
+            rule.nodes.push_back(node_of_field(model, record, field));
     }
+}
+
+/// The first three nodes, which turn a mesh.
+void set_turning(const Model& model, const Record& record, MeshMotion::Rule& rule)
+{
+    set_nodes(model, record, 3, rule);
+    const auto& x = model.nodes.position;
+    const bool spanned = rule.nodes.size() == 3 && norm(cross(x[rule.nodes[1]] - x[rule.nodes[0]],
+                                                              x[rule.nodes[2]] - x[rule.nodes[0]])) > 0;
+    if (!spanned)
+        reject_field(record, "NID3", "a mesh that turns with its nodes wants three that span a plane");
 }
 
 void set_frame(const Model& model, const Record& group, const Record& record, MeshMotion::Rule& rule)
@@ -64,12 +80,34 @@ void set_frame(const Model& model, const Record& group, const Record& record, Me
                                  "nodes and 7 not at all",
                                  held));
     rule.kind = MeshMotion::Kind::frame;
-    set_nodes(model, record, 3, rule);
-    const auto& x = model.nodes.position;
-    const bool spanned = rule.nodes.size() == 3 && norm(cross(x[rule.nodes[1]] - x[rule.nodes[0]],
-                                                              x[rule.nodes[2]] - x[rule.nodes[0]])) > 0;
-    if (!spanned)
-        reject_field(record, "NID3", "a mesh that turns with its nodes wants three that span a plane");
+    set_turning(model, record, rule);
+}
+
+/// Nodes of the system that BCTRAN names, the centre, and those of the parts of PRID.
+void set_enclosing(const Model& model, const Record& group, MeshMotion::Rule& rule)
+{
+    for (const char* field : {"EXPLIM", "FRCPAD", "IEXPND", "BCROT"})
+        if (group.real(field) != 0)
+            reject_field(
+                group, field,
+                "what it limits with PRTYPE 9 is not known well enough; there the mesh turns with its "
+                "system of nodes and is always stretched as its parts reach from the centre");
+    rule.kind = MeshMotion::Kind::enclosing;
+    set_turning(model, named(model, "ALE_REFERENCE_SYSTEM_NODE", group.integer("BCTRAN"), group, "BCTRAN"),
+                rule);
+    rule.nodes.push_back(node_of_field(model, group, "ICOORD"));
+    std::vector<bool> enclosed(model.parts.size()), own(model.nodes.size());
+    for (const Index part : parts_of_fields(model, group, "PRID", "")) enclosed[part] = true;
+    for_each_topology(model, [&](const auto& elements) {
+        for (std::size_t element = 0; element < elements.size(); ++element) {
+            if (!enclosed[elements.part[element]]) continue;
+            for (const Index node : elements.nodes[element])
+                if (node != none) own[node] = true;
+        }
+    });
+    for (std::size_t node = 0; node < own.size(); ++node)
+        if (own[node]) rule.nodes.push_back(static_cast<Index>(node));
+    if (rule.nodes.size() == 4) reject_field(group, "PRID", "the parts to enclose have no nodes");
 }
 
 /// type_field, id_field  of `record`, which say how the mesh moves and by what
@@ -107,12 +145,18 @@ MeshMotion::Rule rule_of(const Model& model, const Record& group, const Record& 
         rule.kind = MeshMotion::Kind::extent;
         set_nodes(model, by("ALE_REFERENCE_SYSTEM_NODE"), 12, rule);
         break;
+    case 9:
+        if (&record != &group)
+            reject_field(record, type_field,
+                         "9 is not supported in a list: BCTRAN of the group would name nodes and hold axes");
+        set_enclosing(model, group, rule);
+        break;
     default:
         reject_field(
             record, type_field,
             fmt::format("{} is not supported; there are 0 no motion, 1 with the material, 2 smoothed, "
                         "3 by curves, 4 with the mean velocity of the fluid, 5 with nodes, 7 as the "
-                        "box around nodes, 8 delayed, and 6 of these one after the other",
+                        "box around nodes, 8 delayed, 9 around parts, and 6 of these one after the other",
                         type));
     }
     return rule;
@@ -237,7 +281,9 @@ bool MeshMotion::moves() const
 bool MeshMotion::deforms() const
 {
     return std::any_of(rules.begin(), rules.end(), [](const Rule& rule) {
-        if (rule.follows() || rule.kind == Kind::frame || rule.kind == Kind::extent) return true;
+        if (rule.follows() || rule.kind == Kind::frame || rule.kind == Kind::extent ||
+            rule.kind == Kind::enclosing)
+            return true;
         for (int number = 0; number < 12; ++number)
             if (number % 4 != 0 && rule.curves[number] != none) return true;
         return false;
@@ -298,6 +344,7 @@ std::array<double, 3> MeshMotion::velocity(const Model& model, const Fluid& flui
     case Kind::delayed:
     case Kind::frame:
     case Kind::extent:
+    case Kind::enclosing:
         break;
     }
     for (int axis = 0; axis < 3; ++axis)
@@ -317,8 +364,10 @@ MeshMotion mesh_motion_of(const Model& model, const MeshBlock& block, const Deck
             set_switch(model, record, motion);
         else
             motion.rules.push_back(rule_of(model, record, record, "PRTYPE", "PRID"));
-        motion.held = constraint(record, "BCTRAN");
-        if (has(motion, MeshMotion::Kind::extent)) motion.stiff = constraint(record, "BCEXP");
+        const bool encloses = has(motion, MeshMotion::Kind::enclosing);
+        if (!encloses) motion.held = constraint(record, "BCTRAN");
+        motion.idle_centre = !encloses && record.integer("ICOORD") != 0;
+        if (encloses || has(motion, MeshMotion::Kind::extent)) motion.stiff = constraint(record, "BCEXP");
         if (has(motion, MeshMotion::Kind::delayed))
             set_delay(record, motion);
         else

@@ -20,7 +20,9 @@ struct MeshMotion {
         average,  ///< PRTYPE = 4: the mean velocity of the mass in the mesh; FOLLOW_GC: of some fluids
         node,     ///< PRTYPE = 5, BCROT = 7: with the first node of *ALE_REFERENCE_SYSTEM_NODE
         frame,    ///< PRTYPE = 5: with the system of its first three nodes, which turns
-        extent    ///< PRTYPE = 7: stretched along the axes as the box is that its nodes span
+        extent,   ///< PRTYPE = 7: stretched along the axes as the box is that its nodes span
+        enclosing ///< PRTYPE = 9: turns with a system of three nodes, and is stretched about a fourth one
+                  ///< along the axes of that system as the other nodes reach away from it
     };
     struct Rule {
         Kind kind = Kind::none;
@@ -39,9 +41,10 @@ struct MeshMotion {
     std::vector<Rule> rules;
     std::vector<double> until; ///< [time]
     unsigned held = 0;         ///< BCTRAN: axes along which it stays, bits 1, 2, 4
-    unsigned stiff = 0;        ///< BCEXP: axes along which PRTYPE = 7 does not stretch it
+    unsigned stiff = 0;        ///< BCEXP: axes along which PRTYPE = 7 and 9 do not stretch it
     double back = 0;           ///< EFAC of PRTYPE = 8 [-]
     bool idle_back = false;    ///< the deck gives EFAC, and nothing is delayed
+    bool idle_centre = false;  ///< the deck gives ICOORD, and nothing is enclosed
     Vec3 centre{};             ///< XC, YC, ZC: from which the coordinates of curves count [length]
 
     bool moves() const;

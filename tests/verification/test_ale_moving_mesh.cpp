@@ -162,6 +162,66 @@ TEST(AleMovingMesh, MeshIsStretchedAsTheBoxAroundItsNodes)
     EXPECT_LT(run.scene().ledger.balance_error(), 1e-9);
 }
 
+namespace {
+
+/// A drop at rest in a mesh around a rigid plate that turns with a speed of 10 and is the system of the mesh,
+/// and two plates that are on both sides of its middle at first and draw apart along x.
+std::string enclosing_deck(const std::string& group)
+{
+    int first = 100000;
+    const std::string frame = testing::shell_patch(20, first, {-1, -1, 3}, {2, 0, 0}, {0, 2, 0}, 2, 2);
+    const std::string one = testing::shell_patch(21, first, {-0.8, -0.5, -1}, {0, 1, 0}, {0, 0, 2}, 1, 1);
+    const std::string two = testing::shell_patch(22, first, {0.8, -0.5, -1}, {0, 1, 0}, {0, 0, 2}, 1, 1);
+    return cube(10, 0) + testing::liquid_and_void(1000, 20) +
+           "*INITIAL_VOLUME_FRACTION_GEOMETRY\n10,1,2,3\n6,0,1\n0.3,0.1,0,0.4\n"
+           "*PART\nframe\n20,20,20\n*PART\none\n21,20,21\n*PART\ntwo\n22,20,21\n"
+           "*SECTION_SHELL\n20,2\n0.01,0.01,0.01,0.01\n*MAT_RIGID\n20,7800,2e11,0.3\n1,7,4\n\n"
+           "*MAT_RIGID\n21,7800,2e11,0.3\n1,5,7\n\n*SET_PART_LIST\n3\n21,22\n" +
+           frame + one + two +
+           "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n20,7,0,2\n21,1,0,2,-0.5\n22,1,0,2,0.5\n"
+           "*DEFINE_CURVE\n2\n0,10\n1,10\n*ALE_REFERENCE_SYSTEM_GROUP\n" +
+           group +
+           "*ALE_REFERENCE_SYSTEM_NODE\n7\n100000,100001,100003\n\n"
+           "*CONTROL_ALE\n-1,1,2,-1\n*CONTROL_TERMINATION\n0.05\n*CONTROL_TIMESTEP\n0,0.5\n*END\n";
+}
+
+} // namespace
+
+// PRTYPE 9: the mesh turns with its system of nodes and is stretched, about the node in the middle of the
+// plate, along the axes of that system as the two plates reach from there: in the end by (|x| cos a + |y| sin
+// a) / 0.8 along the first one and (|x| sin a + |y| cos a) / 0.5 along the second, x = 0.8 + 5 t, y = 0.5, a
+// = 10 t. Along z BCEXP holds it. The drop rests.
+TEST(AleMovingMesh, MeshEnclosesParts)
+{
+    EulerianRun run(enclosing_deck("10,1,9,3,7,3,0,100004\n\n"));
+    const Fluid& fluid = run.term<EulerianFluid>().fluid();
+    double mass = 0, mass_after = 0;
+    const Vec3 before = centre_of_mass(fluid, mass);
+    const double end = run.run().clock.time, angle = 10 * end, x = 0.8 + 5 * end, y = 0.5;
+    const Vec3 after = centre_of_mass(fluid, mass_after);
+    const double c = std::cos(angle), s = std::sin(angle), first = (x * c + y * s) / 0.8,
+                 second = (x * s + y * c) / 0.5;
+    const Vec3 corner = fluid.cell(0).points[0];
+    EXPECT_NEAR(corner.x, -first * c + second * s, 2e-3);
+    EXPECT_NEAR(corner.y, -first * s - second * c, 2e-3);
+    EXPECT_NEAR(corner.z, -1, 1e-12);
+    EXPECT_NEAR(mass_after, mass, 1e-12 * mass);
+    EXPECT_LT(norm(after - before), 0.02); // a tenth of a cell of the start
+    EXPECT_LT(run.scene().ledger.balance_error(), 1e-9);
+}
+
+// The manual's words on limits and padding leave open what they do.
+TEST(AleMovingMesh, LimitsOfMeshesThatEncloseAreRefused)
+{
+    for (const std::string second : {"0,0,0,2", "0,0,0,0,0,0,0.1", "0,0,0,0,0,0,0,1"}) {
+        const testing::TemporaryFolder folder;
+        std::ofstream(folder / "deck.k") << "*KEYWORD\n"
+                                         << enclosing_deck("10,1,9,3,7,3,0,100004\n" + second + "\n");
+        const ReadResult read = read_model(folder / "deck.k");
+        EXPECT_THROW(make_scene(read.model), DeckError) << second;
+    }
+}
+
 // A run that goes on from a restart file has the bits of the whole run: places of the mesh and of tracers in
 // it, what its faces swept last, and the fluid.
 TEST(AleMovingMesh, RestartGoesOnWithTheSameBits)
