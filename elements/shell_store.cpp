@@ -91,12 +91,12 @@ CornerPattern<double> pattern_at(const Model& model, const State& state, Index e
     return pattern_of(corner[0], corner[1], corner[2], corner[3]);
 }
 
-double area_of(const Model& model, const State& state, Index element)
+} // namespace
+
+double shell_area(const Model& model, const State& state, Index element)
 {
     return shell_frame(pattern_at(model, state, element)).area;
 }
-
-} // namespace
 
 double squared_length_of(const Model& model, const State& state, Index element, int length_rule)
 {
@@ -139,7 +139,7 @@ ShellStore::ShellStore(const ShellPart& its, const State& state, ShellSettings i
         for (int lane = 0; lane < lane_count; ++lane) {
             const Index element = patches.elements[batch * lane_count + lane];
             values[thickness][lane] = shell_mass(model, element, plate).thickness;
-            values[reference_volume][lane] = values[thickness][lane] * area_of(model, state, element);
+            values[reference_volume][lane] = values[thickness][lane] * shell_area(model, state, element);
         }
         for (int point = 0; point < point_count; ++point) {
             Lanes* variables = values + points + point * point_size_ + history;
@@ -379,7 +379,7 @@ void ShellStore::collect_steps(const State& state, ElementResults& results) cons
             const Index element = patches.elements[batch * lane_count + lane];
             const double factor = record(batch)[shell_record::mass_factor][lane];
             const Lanes* values = record(batch);
-            const double volume = values[shell_record::thickness][lane] * area_of(model, state, element);
+            const double volume = values[shell_record::thickness][lane] * shell_area(model, state, element);
             const double length =
                 stretched_share(settings, double{values[shell_record::reference_volume][lane]}, volume) *
                 squared_length_of(model, state, element, settings.length_rule);

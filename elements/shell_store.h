@@ -17,6 +17,9 @@
 
 namespace plash {
 
+/// Area of a shell in the plane of its frame, at the positions of the state [length^2].
+double shell_area(const Model& model, const State& state, Index element);
+
 /// Square of the length that a shell's step is made of, at the positions of the state [length^2].
 double squared_length_of(const Model& model, const State& state, Index element, int length_rule);
 

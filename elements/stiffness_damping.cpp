@@ -2,6 +2,7 @@
 
 #include "elements/shell_belytschko_tsay.h"
 #include "elements/shell_mass.h"
+#include "elements/shell_store.h"
 #include "elements/solid_kinematics.h"
 #include "materials/parameters.h"
 
@@ -91,8 +92,11 @@ StiffnessDampingGroup::StiffnessDampingGroup(const Model& model, const Stiffness
     if (shape != Shape::shell) return;
     state.need_rotation();
     for (Index place = 0; place < patches_.batch_count() * lane_count; ++place) {
-        records_[place / lane_count * record_size + 6][place % lane_count] =
-            shell_thickness(model, patches_.elements[place]);
+        Lanes* record = &records_[place / lane_count * record_size];
+        const int lane = static_cast<int>(place % lane_count);
+        const Index element = patches_.elements[place];
+        record[6][lane] = shell_thickness(model, element);
+        record[7][lane] = record[6][lane] * shell_area(model, state, element);
     }
 }
 
@@ -115,7 +119,8 @@ void StiffnessDampingGroup::add_forces(const Clock& clock, State& state)
             PatchVote& vote = votes_[number];
             vote = {std::numeric_limits<double>::infinity(), 0};
             for (Index batch = patch.first_batch; batch < patch.first_batch + patch.batch_count; ++batch) {
-                Lanes alive = broadcast<Lanes>(1), length{};
+                Lanes alive = broadcast<Lanes>(1);
+                Lengths length;
                 if (state.deletions > 0) {
                     for (int lane = 0; lane < lane_count; ++lane)
                         alive[lane] = gone(patches_.elements[batch * lane_count + lane], state) ? 0 : 1;
@@ -126,9 +131,11 @@ void StiffnessDampingGroup::add_forces(const Clock& clock, State& state)
                 for (int lane = 0; lane < patches_.active_lanes(batch); ++lane) {
                     if (alive[lane] == 0) continue;
                     taken_[number] += work[lane];
-                    const double own = length[lane] / wave_speed_;
-                    const double ratio = given_.coefficient > 0 ? given_.coefficient : beta / own;
-                    const double stable = own * std::min(1.0, spare * (std::sqrt(1 + ratio * ratio) - ratio));
+                    const double own = length.crossing[lane] / wave_speed_;
+                    const double bound = length.bound[lane] / wave_speed_;
+                    const double ratio = given_.coefficient > 0 ? given_.coefficient : beta / bound;
+                    const double stable =
+                        std::min(own, bound * spare * (std::sqrt(1 + ratio * ratio) - ratio));
                     if (stable < vote.step) vote = {stable, batch * lane_count + lane};
                 }
             }
@@ -136,7 +143,7 @@ void StiffnessDampingGroup::add_forces(const Clock& clock, State& state)
 }
 
 Lanes StiffnessDampingGroup::damp_solids(Index batch, double beta, double step, NodeCopies& copies,
-                                         Lanes& length, const Lanes& alive)
+                                         Lengths& length, const Lanes& alive)
 {
     Vector3<Lanes> position[8], velocity[8];
     for (int corner = 0; corner < 8; ++corner) {
@@ -167,12 +174,12 @@ Lanes StiffnessDampingGroup::damp_solids(Index batch, double beta, double step, 
     for_corners(stress_divergence(gradient, minus), [&](int corner, const Vector3<Lanes>& force) {
         add_corner(copies.force.data(), patches_.corner_offsets(batch, corner), force, active);
     });
-    length = gradient.volume / sqrt(largest_face_squared(x));
+    length.crossing = length.bound = gradient.volume / sqrt(largest_face_squared(x));
     return step * gradient.volume * power;
 }
 
 Lanes StiffnessDampingGroup::damp_shells(Index batch, double beta, double step, NodeCopies& copies,
-                                         Lanes& length, const Lanes& alive)
+                                         Lengths& length, const Lanes& alive)
 {
     Vector3<Lanes> x[4], v[4], w[4];
     for (int corner = 0; corner < 4; ++corner) {
@@ -213,7 +220,11 @@ Lanes StiffnessDampingGroup::damp_shells(Index batch, double beta, double step, 
     each_corner(moment, [&](int corner, const Vector3<Lanes>& value) {
         add_corner(copies.moment.data(), patches_.corner_offsets(batch, corner), value, active);
     });
-    length = sqrt(squared_length(position, frame.area, 0));
+    length.crossing = sqrt(squared_length(position, frame.area, 0));
+    // Drawn out, a shell keeps its mass (stretched_share(), elements/shell_kernel.h).
+    length.bound =
+        length.crossing *
+        sqrt(min(broadcast<Lanes>(1), last[7] / max(frame.area * thickness, broadcast<Lanes>(1e-300))));
     return step * frame.area * power;
 }
 

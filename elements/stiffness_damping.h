@@ -33,8 +33,12 @@ public:
     void serialise(Archive& archive) override { archive(records_, taken_); }
 
 private:
-    static constexpr int record_size =
-        7; ///< six stresses or resultants of the last step; thickness of shells
+    /// Six stresses or resultants of the last step; of shells thickness and the volume at the start.
+    static constexpr int record_size = 8;
+    struct Lengths {
+        Lanes crossing{}; ///< of the step [length]
+        Lanes bound{};    ///< the same for the mass that the element has [length]
+    };
     struct PatchVote {
         double step = 0;
         Index place = 0;
@@ -52,8 +56,8 @@ private:
 
     bool gone(Index element, const State&) const;
     /// Work that the stresses of the batch have taken in the last step, by lane.
-    Lanes damp_solids(Index batch, double beta, double step, NodeCopies&, Lanes& length, const Lanes& alive);
-    Lanes damp_shells(Index batch, double beta, double step, NodeCopies&, Lanes& length, const Lanes& alive);
+    Lanes damp_solids(Index batch, double beta, double step, NodeCopies&, Lengths&, const Lanes& alive);
+    Lanes damp_shells(Index batch, double beta, double step, NodeCopies&, Lengths&, const Lanes& alive);
 };
 
 /// The groups of a Model's *DAMPING_PART_STIFFNESS, and of DAMP of *MAT_FABRIC (a share of critical damping,

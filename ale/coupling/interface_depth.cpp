@@ -9,6 +9,12 @@
 
 namespace plash {
 
+double length_along(const std::array<Vec3, 3>& edges, const Vec3& direction)
+{
+    return std::abs(dot(direction, edges[0])) + std::abs(dot(direction, edges[1])) +
+           std::abs(dot(direction, edges[2]));
+}
+
 double share_before_plane(const std::array<Vec3, 3>& edges, const std::array<double, 3>& part,
                           const Vec3& normal)
 {

@@ -69,6 +69,9 @@ private:
     }
 };
 
+/// How far one can go along a direction through a cell, of a box its width there [length].
+double length_along(const std::array<Vec3, 3>& edges, const Vec3& direction);
+
 /// Share of a cell that lies before the plane through a point in it.
 double share_before_plane(const std::array<Vec3, 3>& edges, const std::array<double, 3>& part,
                           const Vec3& normal);
