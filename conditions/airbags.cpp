@@ -15,7 +15,6 @@ Airbags::Airbags(const Model& model, const State& state) : model_(model)
         bag.surface = BagSurface(airbag.segments, state.position);
         bag.elements = LoadedElements(model, bag.surface.segments());
         bag.sum = CornerSum(bag.surface.segments());
-        bag.last_.resize(airbag.segments.size());
         measure(bag, state);
         const double volume = airbag.volume_scale * bag.surface.volume(state.position, bag.sum.force);
         if (!(volume > 0))
@@ -59,23 +58,11 @@ double Airbags::leak_area(const Airbag& airbag, const Bag& bag, const State& sta
 double Airbags::push(const Airbag& airbag, Bag& bag, const Clock& clock, State& state) const
 {
     const double pressure = airbag.pressure_scale * bag.content.pressure;
-    const auto& segments = bag.surface.segments();
-    const double work =
-        clock.last_step * sum_chunks(segments.size(), [&](std::size_t begin, std::size_t end) {
-            double power = 0;
-            for (std::size_t i = begin; i < end; ++i) {
-                const double p = bag.elements.deleted(i, state) ? 0 : pressure;
-                for (int c = 0; c < 4; ++c) {
-                    Vec3& force = bag.sum.force[i][c];
-                    force *= p;
-                    power += 0.5 * dot(force + bag.last_[i][c], state.velocity[segments[i][c]]);
-                    bag.last_[i][c] = force;
-                }
-            }
-            return power;
-        });
-    bag.sum.add_to(state.force);
-    return work;
+    return bag.sum.act(bag.surface.segments(), clock, state, [&](std::size_t i) {
+        std::array<Vec3, 4> force = bag.sum.force[i];
+        for (Vec3& corner : force) corner *= bag.elements.deleted(i, state) ? 0 : pressure;
+        return force;
+    });
 }
 
 void Airbags::add_forces(const Clock& clock, State& state)
@@ -130,7 +117,7 @@ void Airbags::collect(const State&, ElementResults& results) const
 
 void Airbags::serialise(Archive& archive)
 {
-    for (Bag& bag : bags_) archive(bag.content, bag.last_);
+    for (Bag& bag : bags_) archive(bag.content, bag.sum);
     archive(work_);
 }
 

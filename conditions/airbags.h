@@ -31,8 +31,7 @@ private:
     struct Bag {
         BagSurface surface;
         LoadedElements elements;
-        CornerSum sum;                          ///< forces of unit pressure on corners [area]
-        std::vector<std::array<Vec3, 4>> last_; ///< corner forces at n-1 [force]
+        CornerSum sum; ///< forces of unit pressure on corners [area], until they act
         BagState content;
         double area = 0; ///< of the surface [area]
     };

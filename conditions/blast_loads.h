@@ -21,7 +21,7 @@ public:
     void add_forces(const Clock& clock, State& state) override;
     void report(EnergyLedger& ledger) const override { ledger.external_work += work_; }
     std::vector<std::string> notices(const State& state) const override;
-    void serialise(Archive& archive) override { archive(shock_, last_, work_); }
+    void serialise(Archive& archive) override { archive(shock_, sum_, work_); }
 
 private:
     /// What is known of the shock at a segment.
@@ -37,13 +37,16 @@ private:
     LoadedElements elements_;
     CornerSum sum_;
     std::vector<Shock> shock_;
-    std::vector<std::array<Vec3, 4>> last_; ///< corner forces at n-1 [force]
-    double work_ = 0;                       ///< [energy]
+    std::vector<double>
+        scaled_time_; ///< of each load: one unit of time over the charge's mass [ms / lb^(1/3)]
+    double work_ = 0; ///< [energy]
 
-    Vec3 charge(const BlastLoad& load, const State& state) const;
+    Vec3 to_charge(std::size_t segment, const State& state) const;
     double scaled_distance(std::size_t segment, const State& state) const;
     void look(std::size_t segment, const State& state);
-    double pressure_at(std::size_t segment, double time, const Vec3& normal, const State& state);
+    bool has_arrived(std::size_t segment, double since_explosion, const State& state);
+    double pressure_at(std::size_t segment, double since_explosion, const Vec3& normal,
+                       const State& state) const;
 };
 
 } // namespace plash

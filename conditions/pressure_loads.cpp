@@ -13,7 +13,6 @@ PressureLoads::PressureLoads(const Model& model) : model_(model)
         load_.insert(load_.end(), load.segments.size(), static_cast<Index>(i));
     }
     sum_ = CornerSum(segments_);
-    last_.resize(segments_.size());
     elements_ = LoadedElements(model, segments_);
 }
 
@@ -27,21 +26,13 @@ void PressureLoads::add_forces(const Clock& clock, State& state)
 {
     std::vector<double> pressure;
     for (const PressureLoad& load : model_.pressure_loads) pressure.push_back(pressure_of(load, clock));
-    work_ += clock.last_step * sum_chunks(segments_.size(), [&](std::size_t begin, std::size_t end) {
-                 double power = 0;
-                 for (std::size_t i = begin; i < end; ++i) {
-                     const double p = elements_.deleted(i, state) ? 0 : pressure[load_[i]];
-                     std::array<Vec3, 4> force{};
-                     if (p != 0) force = unit_pressure_forces(segments_[i], state.position);
-                     for (int c = 0; c < 4; ++c) {
-                         force[c] *= -p;
-                         power += 0.5 * dot(force[c] + last_[i][c], state.velocity[segments_[i][c]]);
-                     }
-                     last_[i] = sum_.force[i] = force;
-                 }
-                 return power;
-             });
-    sum_.add_to(state.force);
+    work_ += sum_.act(segments_, clock, state, [&](std::size_t i) {
+        std::array<Vec3, 4> force{};
+        const double p = elements_.deleted(i, state) ? 0 : pressure[load_[i]];
+        if (p != 0) force = unit_pressure_forces(segments_[i], state.position);
+        for (Vec3& corner : force) corner *= -p;
+        return force;
+    });
 }
 
 } // namespace plash

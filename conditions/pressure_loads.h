@@ -19,7 +19,7 @@ public:
     std::size_t items() const override { return segments_.size(); }
     void add_forces(const Clock& clock, State& state) override;
     void report(EnergyLedger& ledger) const override { ledger.external_work += work_; }
-    void serialise(Archive& archive) override { archive(last_, work_); }
+    void serialise(Archive& archive) override { archive(sum_, work_); }
 
 private:
     const Model& model_;
@@ -27,8 +27,7 @@ private:
     std::vector<Index> load_; ///< of the Model, by segment
     LoadedElements elements_;
     CornerSum sum_;
-    std::vector<std::array<Vec3, 4>> last_; ///< corner forces at n-1 [force]
-    double work_ = 0;                       ///< [energy]
+    double work_ = 0; ///< [energy]
 
     double pressure_of(const PressureLoad& load, const Clock& clock) const;
 };

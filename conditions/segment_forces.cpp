@@ -30,7 +30,7 @@ double segment_area(const SegmentNodes& segment, std::span<const Vec3> position)
     return 0.5 * norm(cross(diagonal, other));
 }
 
-CornerSum::CornerSum(std::span<const SegmentNodes> segments) : force(segments.size())
+CornerSum::CornerSum(std::span<const SegmentNodes> segments) : force(segments.size()), last_(segments.size())
 {
     std::vector<std::pair<Index, Index>> corners;
     for (std::size_t i = 0; i < segments.size(); ++i) {

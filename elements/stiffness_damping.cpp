@@ -26,7 +26,8 @@ std::pair<double, double> elastic_moduli(const Record& material, const Stiffness
         const double g = material.real("G"), k = material.real("BULK");
         return {9 * k * g / (3 * k + g), (3 * k - 2 * g) / (2 * (3 * k + g))};
     }
-    if (material.keyword == "MAT_FABRIC") return {material.real("EA"), material.real("PRBA")};
+    if (material.keyword == "MAT_FABRIC")
+        return {std::max(material.real("EA"), material.real("EB")), material.real("PRBA")};
     throw DeckError(given.where,
                     fmt::format("*DAMPING_PART_STIFFNESS: part {} has a material *{} without the "
                                 "elastic moduli E and PR, or G and BULK",

@@ -1,5 +1,6 @@
 #include "parser/reading.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace plash {
@@ -22,6 +23,16 @@ bool matches(std::string_view pattern, std::string_view keyword)
 }
 
 } // namespace
+
+std::optional<std::array<Index, 4>> Reading::find_segment(const Record& record)
+{
+    std::array<Index, 4> nodes{};
+    const char* fields[] = {"N1", "N2", "N3", "N4"};
+    for (int i = 0; i < 4; ++i) nodes[i] = find(record, fields[i], Kind::node);
+    if (record.integer("N4") == 0) nodes[3] = nodes[2];
+    if (std::find(nodes.begin(), nodes.end(), none) != nodes.end()) return {};
+    return nodes;
+}
 
 BodyNumber Reading::find_body(Id id)
 {

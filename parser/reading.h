@@ -117,6 +117,10 @@ struct Reading {
 
     IdTable& table(Kind kind) { return ids[static_cast<std::size_t>(kind)]; }
 
+    /// The nodes N1 to N4 of a segment; a triangle (N4 = 0) repeats the third. Nothing where one is missing,
+    /// which is reported with all references.
+    std::optional<std::array<Index, 4>> find_segment(const Record& record);
+
     /// Position of the thing that an id field names; `none` when the field is empty or names nothing
     /// (dangling references are reported for all keywords alike, not here).
     Index find(const Record& record, std::string_view field, Kind kind)

@@ -104,13 +104,7 @@ void add_surface(const Record& record, std::vector<std::array<Index, 4>> segment
 
 void read_blast_segment(const Record& record, const Block&, Reading& reading)
 {
-    std::array<Index, 4> nodes{};
-    const char* fields[] = {"N1", "N2", "N3", "N4"};
-    for (int i = 0; i < 4; ++i) nodes[i] = reading.find(record, fields[i], Kind::node);
-    if (record.integer("N4") == 0) nodes[3] = nodes[2];
-    for (const Index node : nodes)
-        if (node == none) return; // reported with all references
-    add_surface(record, {nodes}, reading);
+    if (const auto nodes = reading.find_segment(record)) add_surface(record, {*nodes}, reading);
 }
 
 void read_blast_segment_set(const Record& record, const Block&, Reading& reading)

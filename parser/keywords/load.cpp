@@ -218,15 +218,11 @@ void keep_pressure(const Record& record, PressureLoad load, Reading& reading)
 void read_segment_load(const Record& record, const Block&, Reading& reading)
 {
     PressureLoad load;
-    std::array<Index, 4> nodes{};
-    const char* fields[] = {"N1", "N2", "N3", "N4"};
-    for (int i = 0; i < 4; ++i) nodes[i] = reading.find(record, fields[i], Kind::node);
-    if (record.integer("N4") == 0) nodes[3] = nodes[2];
-    for (Index node : nodes)
-        if (node == none) return; // reported with all references
+    const auto nodes = reading.find_segment(record);
+    if (!nodes) return;
     if (record.integer("N5") != 0)
         reading.error(record, "N5", "pressure on segments of six or eight nodes is not supported");
-    load.segments = {nodes};
+    load.segments = {*nodes};
     keep_pressure(record, std::move(load), reading);
 }
 
